@@ -1,0 +1,67 @@
+/// A rig: what is worn where, and everything about the signal that is a choice of the hardware. Read from
+/// resources/rigs/*.json or from a take's snapshot; the schema is in resources/rigs/README.md.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "body/skeleton.h"
+
+namespace limbwave::body {
+
+/// A tri-axial accelerometer on a segment.
+struct Accelerometer {
+  std::string name;                            ///< Unique within the rig: "forearm".
+  std::string serial;                          ///< Of the physical sensor; keys the calibration library. May be empty.
+  std::string segment;                         ///< Name of the segment it is worn on.
+  Quaterniond R_LS = Quaterniond::Identity();  ///< Nominal mounting: v_L = R_LS * v_S.
+  Vector3d p_LS = Vector3d::Zero();            ///< Nominal position on the segment, metres.
+};
+
+/// The line-in multiplexer board (signals.md §1). Slot 3s+a carries axis a of accelerometer s, the last slot the
+/// reference.
+struct LineInSignal {
+  double cycle_rate_hz = 60.0;         ///< Nominal cycles per second.
+  double cycle_rate_tolerance = 0.10;  ///< Relative deviation of the RC clock that the decoder must accept.
+  int slots = 16;                      ///< Per cycle, even; = 3 · sensors + 1.
+  double supply_volts = 3.3;           ///< Swing of the counter's top bit on the right channel; low in the first half.
+  double reference_volts = 0.33;  ///< Of the last slot. Outside the accelerometers' span, so that it is unmistakable.
+  double zero_g_volts = 1.65;     ///< Nominal output at 0 g.
+  double volts_per_g = 0.33;      ///< Nominal sensitivity per standard gravity.
+  double range_g = 3.0;           ///< Saturation of the sensor.
+};
+
+/// Two poses that tie a sensor's axes to its limb (line-in paper §4): what gravity is in the limb frame in each.
+struct LimbPose {
+  std::string name;                         ///< "horizontal"
+  std::string instruction;                  ///< What the wearer does: "Stretch the arm forward, level, palm down."
+  Vector3d gravity_L = -Vector3d::UnitZ();  ///< Direction of gravity in the limb frame, unit length.
+};
+
+/// Sensors that are calibrated together by one pair of poses, the two gravity directions perpendicular.
+struct CalibrationGroup {
+  std::string name;          ///< "Right arm"
+  std::vector<int> sensors;  ///< Indices into Rig::accelerometers.
+  LimbPose first, second;
+};
+
+struct Rig {
+  std::string name;      ///< "line-in-arm"
+  std::string title;     ///< "Arm with five accelerometers on a sound card"
+  std::string skeleton;  ///< Name of the skeleton it is worn by.
+  LineInSignal line_in;
+  std::vector<Accelerometer> accelerometers;
+  std::vector<CalibrationGroup> groups;
+};
+
+Result<Rig> rig_from_json(const nlohmann::json& json, const std::string& place);
+nlohmann::json rig_to_json(const Rig& rig);
+
+/// A shipped rig by name ("line-in-arm") or a file by path. Also checks it against its skeleton.
+Result<Rig> load_rig(const std::string& name_or_path);
+std::vector<std::string> shipped_rigs();
+
+}  // namespace limbwave::body

@@ -1,0 +1,38 @@
+/// The axes of a multiplexed board are read one after another; this stage interpolates them to one instant per cycle.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "decode/line_in.h"
+
+namespace limbwave::decode {
+
+/// All accelerometers at one instant.
+struct AccelerationFrame {
+  double time_s = 0.0;                               ///< Since the start of the take.
+  std::array<Eigen::Vector3d, kMaxSensors> volts{};  ///< Per sensor, relative to the reference slot.
+  std::uint32_t usable = 0;                          ///< Bit per sensor: neither clipped nor out of sync.
+  bool gap_before = false;
+};
+
+/// Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
+class SlotAligner {
+ public:
+  SlotAligner(int sensors, SampleRate rate) : sensors_(sensors), rate_(rate) {}
+  void push(const LineInCycle& cycle);
+  void finish();
+  std::vector<AccelerationFrame> take_frames();
+
+ private:
+  void emit(std::size_t index);
+  int sensors_;
+  SampleRate rate_;
+  std::vector<LineInCycle> window_;
+  std::size_t next_ = 0;
+  std::vector<AccelerationFrame> frames_;
+};
+
+}  // namespace limbwave::decode

@@ -1,0 +1,72 @@
+/// The way from a take to a clip: decode, align, calibrate, estimate, with a quality report. Live and offline run the
+/// same stages (solve/pipeline.h).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "decode/line_in.h"
+#include "motion/clip.h"
+#include "take/take.h"
+
+namespace limbwave::solve {
+
+/// How inclinations are smoothed.
+enum class Smoothing {
+  kNone,      ///< Every frame by itself (the paper's equation 2).
+  kAdaptive,  ///< Weighted by trust, without lag.
+  kBridging,  ///< Also bridges bursts of limb acceleration by a constant-rate model. Default.
+};
+
+/// A user's key of a segment's rotation about the vertical, interpolated linearly between keys.
+struct HeadingKey {
+  double time_s = 0.0;   ///< In the clip.
+  double heading = 0.0;  ///< Radians.
+};
+
+struct SolveSettings {
+  std::string name = "default";
+  Smoothing smoothing = Smoothing::kBridging;
+  double smoothing_s = 0.08;                      ///< Time scale; longer is smoother.
+  std::vector<std::vector<HeadingKey>> headings;  ///< One list per segment; may be empty.
+  decode::LineInParameters line_in;
+  std::string calibration =
+      "auto";  ///< "auto": the take's snapshot, else the library, else the take's own calibration
+               ///< segments, else nominal; or one of "snapshot", "library", "segments", "nominal".
+};
+
+struct SensorQuality {
+  std::string sensor;
+  double usable = 0.0;       ///< Fraction of frames.
+  double trusted = 0.0;      ///< Fraction of frames whose | |f| − g | is small.
+  double mean_norm_g = 0.0;  ///< Over still stretches; 1 when calibrated.
+};
+
+struct QualityReport {
+  std::string calibration;  ///< Where it came from, for people.
+  std::vector<SensorQuality> sensors;
+  decode::LineInStatus line;
+  Diagnostics diagnostics;
+  double take_seconds = 0.0, decode_seconds = 0.0, solve_seconds = 0.0;  ///< Length; wall-clock of the two stages.
+};
+
+struct Solve {
+  SolveSettings settings;
+  motion::Clip clip;
+  /// Per accelerometer and frame of the clip: 0..1, how far gravity alone explains the reading.
+  std::vector<std::vector<float>> trust;
+  QualityReport report;
+};
+
+Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, const Progress& progress);
+
+/// Stores under TAKE/solves/NAME/, all-or-nothing; reads it back.
+Status save_solve(const take::Take& take, const Solve& solve);
+Result<Solve> load_solve(const take::Take& take, const std::string& name);
+std::vector<std::string> list_solves(const take::Take& take);
+
+}  // namespace limbwave::solve

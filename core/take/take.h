@@ -1,0 +1,78 @@
+/// A take on disk (overview.md, "A take on disk"): a folder with the raw samples and everything known about them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquire/sample_format.h"
+#include "base/diagnostics.h"
+#include "base/result.h"
+#include "base/time.h"
+#include "body/rig.h"
+#include "body/skeleton.h"
+#include "calibrate/calibration.h"
+
+namespace limbwave::take {
+
+/// A named stretch of the take: "capture", "range", "pose:Right arm:horizontal".
+struct TakeSegment {
+  std::string name;
+  SampleIndex first;
+  SampleCount count;
+};
+
+/// One line of events.jsonl.
+struct TakeEvent {
+  SampleIndex sample;
+  std::string kind;        ///< "marker", "dropped", "clipping", "sync-lost", "gain-changed" ...
+  std::string text;        ///< For people.
+  std::int64_t count = 0;  ///< How many samples, cycles ..., where it has a meaning.
+};
+
+/// take.json.
+struct TakeInfo {
+  int schema = 1;
+  std::string kind = "line-in";
+  std::string created;  ///< ISO 8601, UTC.
+  std::string subject;
+  std::string source;  ///< Device or file it came from, for people.
+  acquire::StreamFormat format;
+  bool complete = false;    ///< False while recording and after a crash.
+  std::int64_t frames = 0;  ///< Frames per channel; what the file holds counts if it is not complete.
+  body::Rig rig;
+  body::Skeleton skeleton;
+  std::optional<calibrate::RigCalibration> calibration;
+  std::vector<TakeSegment> segments;  ///< Empty: all of it is the capture.
+
+  /// The segment "capture", or the whole take.
+  [[nodiscard]] TakeSegment capture() const;
+};
+
+struct Take {
+  std::filesystem::path folder;
+  TakeInfo info;
+  std::vector<TakeEvent> events;
+  Diagnostics diagnostics;  ///< What opening noticed: not closed properly, short, ...
+
+  [[nodiscard]] std::filesystem::path signal_path() const { return folder / "signal.wav"; }
+};
+
+/// Opens a folder; takes that a crash left open as far as they were written, with a diagnostic.
+Result<Take> open_take(const std::filesystem::path& folder);
+/// Writes take.json (all-or-nothing).
+Status save_info(const Take& take);
+/// Appends to events.jsonl and flushes.
+Status append_event(const std::filesystem::path& folder, const TakeEvent& event);
+
+struct VerifyReport {
+  Diagnostics findings;  ///< Empty: whole.
+};
+/// Checks every file of a take against the others. Only reads.
+Result<VerifyReport> verify_take(const std::filesystem::path& folder);
+/// Repairs headers and take.json after a crash; loses no sample. Says what it did.
+Result<Diagnostics> recover_take(const std::filesystem::path& folder);
+
+}  // namespace limbwave::take

@@ -1,0 +1,29 @@
+# Every library that Limbwave builds on; their Debian packages are in packaging/dependencies.txt.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(ZLIB REQUIRED)
+pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
+pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
+
+# Third-party headers are system headers: their warnings are not ours.
+foreach(target Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)
+  get_target_property(includes ${target} INTERFACE_INCLUDE_DIRECTORIES)
+  if(includes)
+    set_target_properties(${target} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${includes}")
+  endif()
+endforeach()
+
+if(LIMBWAVE_BUILD_STUDIO)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg 3DCore 3DRender 3DInput 3DExtras LinguistTools Test)
+  find_package(QCustomPlotQt6 REQUIRED)
+endif()
+
+if(LIMBWAVE_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(benchmark REQUIRED)
+  include(GoogleTest)
+endif()
