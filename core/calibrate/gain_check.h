@@ -14,9 +14,9 @@ namespace limbwave::calibrate {
 
 /// A mean reading at rest of one sensor.
 struct StillReading {
-  int sensor = 0;                            ///< Index into the calibrations.
-  Vector3d volts = Vector3d::Zero();         ///< Mean.
-  int window = 0;                            ///< Readings of one window are of one pose.
+  int sensor = 0;                     ///< Index into the calibrations.
+  Vector3d volts = Vector3d::Zero();  ///< Mean.
+  int window = 0;                     ///< Readings of one window are of one pose.
 };
 
 struct GainResult {
@@ -25,7 +25,7 @@ struct GainResult {
   double residual_g = 0.0;      ///< RMS of |f|/g − 1 after applying γ, outliers included.
   double before_g = 0.0;        ///< The same with γ = 1.
   int readings = 0;
-  bool moved = false;           ///< γ differs from 1 significantly (3 standard errors) and by more than 0.2 %.
+  bool moved = false;  ///< γ differs from 1 significantly (3 standard errors) and by more than 0.2 %.
 };
 
 /// γ that minimises Σ ρ(|M_s (γ v − o_s)|/g − 1) over all readings (Gauss-Newton with Huber weights, from γ = 1).

@@ -40,10 +40,10 @@ Verdict judged(double value, double good, double usable) {
 Result<Quaterniond> mounting_from_gravity(const Vector3d& first_S, const Vector3d& second_S, const Vector3d& first_L,
                                           const Vector3d& second_L) {
   if (nearly_parallel(first_S, second_S) || nearly_parallel(first_L, second_L)) {
-    return Error{fmt::format("the two directions of gravity are {:.0f}° apart, not about 90°",
-                             nearly_parallel(first_S, second_S) ? angle_deg(first_S, second_S)
-                                                                : angle_deg(first_L, second_L)),
-                 "", "hold two poses a right angle apart"};
+    return Error{
+        fmt::format("the two directions of gravity are {:.0f}° apart, not about 90°",
+                    nearly_parallel(first_S, second_S) ? angle_deg(first_S, second_S) : angle_deg(first_L, second_L)),
+        "", "hold two poses a right angle apart"};
   }
   const auto [a_S, b_S] = perpendicular_pair(first_S, second_S);
   const auto [a_L, b_L] = perpendicular_pair(first_L, second_L);
@@ -53,7 +53,9 @@ Result<Quaterniond> mounting_from_gravity(const Vector3d& first_S, const Vector3
 
 LimbCalibrator::LimbCalibrator(const body::Rig& rig, const RigCalibration& range, int group, std::vector<int> sensors,
                                const LimbParameters& parameters)
-    : rig_(rig), group_(rig.groups.at(static_cast<std::size_t>(group))), sensors_(std::move(sensors)),
+    : rig_(rig),
+      group_(rig.groups.at(static_cast<std::size_t>(group))),
+      sensors_(std::move(sensors)),
       parameters_(parameters) {
   if (sensors_.empty()) {
     sensors_ = group_.sensors;
@@ -125,14 +127,14 @@ Status LimbCalibrator::find_window(int index, StillWindow& out) const {
   const std::string place = group_.name + ": pose " + pose(index).name;
   std::optional<StillWindow> found = stillest_window(series, calibrations_, parameters_.stillness);
   if (!found) {
-    return Error{fmt::format("there is no whole {:.0f} s without lost or clipped readings",
-                             parameters_.stillness.window_s),
-                 place, "check the level and the plugs, then hold the pose again"};
+    return Error{
+        fmt::format("there is no whole {:.0f} s without lost or clipped readings", parameters_.stillness.window_s),
+        place, "check the level and the plugs, then hold the pose again"};
   }
   if (found->movement_g > 2.0 * parameters_.usable_movement_g) {
-    return Error{fmt::format("it was never held still: the stillest second still moved by {:.0f} mg",
-                             1e3 * found->movement_g),
-                 place, "hold the pose without moving for two seconds"};
+    return Error{
+        fmt::format("it was never held still: the stillest second still moved by {:.0f} mg", 1e3 * found->movement_g),
+        place, "hold the pose without moving for two seconds"};
   }
   out = std::move(*found);
   return {};
@@ -204,8 +206,8 @@ SensorLimbResult LimbCalibrator::judge(std::size_t index, const std::array<Still
   result.mount.R_LS = *R_LS;
   result.from_nominal_deg = degrees(geometry::geodesic_angle(*R_LS, accelerometer.R_LS));
 
-  const Verdict angle = judged(std::abs(result.angle_error_deg), parameters_.good_angle_deg,
-                               parameters_.usable_angle_deg);
+  const Verdict angle =
+      judged(std::abs(result.angle_error_deg), parameters_.good_angle_deg, parameters_.usable_angle_deg);
   const Verdict movement = judged(result.movement_g, parameters_.good_movement_g, parameters_.usable_movement_g);
   const Verdict norm = judged(std::abs(result.norm_error_g), parameters_.good_norm_g, parameters_.usable_norm_g);
   result.verdict = std::max({angle, movement, norm});

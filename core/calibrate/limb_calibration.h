@@ -26,24 +26,24 @@ Result<Quaterniond> mounting_from_gravity(const Vector3d& first_S, const Vector3
                                           const Vector3d& second_L);
 
 struct LimbParameters {
-  double good_angle_deg = 3.0;     ///< Deviation from 90° between the poses up to which the verdict is good.
-  double usable_angle_deg = 8.0;   ///< Up to which it is usable.
-  double good_movement_g = 0.02;   ///< RMS movement while holding; 0.02 g sways the direction by about 1°.
+  double good_angle_deg = 3.0;    ///< Deviation from 90° between the poses up to which the verdict is good.
+  double usable_angle_deg = 8.0;  ///< Up to which it is usable.
+  double good_movement_g = 0.02;  ///< RMS movement while holding; 0.02 g sways the direction by about 1°.
   double usable_movement_g = 0.06;
-  double good_norm_g = 0.03;       ///< | |f|/g − 1 | while holding.
+  double good_norm_g = 0.03;  ///< | |f|/g − 1 | while holding.
   double usable_norm_g = 0.10;
-  bool any_mounting = false;       ///< The sensors are mounted unlike the rig: do not compare with its R_LS.
+  bool any_mounting = false;  ///< The sensors are mounted unlike the rig: do not compare with its R_LS.
   StillnessParameters stillness;
 };
 
 /// Where holding one pose stands.
 struct PoseProgress {
-  double seconds = 0.0;           ///< Of readings so far.
-  double movement_now_g = 0.0;    ///< RMS over the newest second; infinite before that.
-  bool still_now = false;         ///< It is usable.
-  double best_movement_g = 0.0;   ///< Of the stillest second so far; infinite before there is one.
-  double best_seconds = 0.0;      ///< Length of that still stretch.
-  bool ready = false;             ///< A good still stretch was found.
+  double seconds = 0.0;          ///< Of readings so far.
+  double movement_now_g = 0.0;   ///< RMS over the newest second; infinite before that.
+  bool still_now = false;        ///< It is usable.
+  double best_movement_g = 0.0;  ///< Of the stillest second so far; infinite before there is one.
+  double best_seconds = 0.0;     ///< Length of that still stretch.
+  bool ready = false;            ///< A good still stretch was found.
 };
 
 /// One sensor's part of a limb calibration.

@@ -192,11 +192,10 @@ Status RangeCalibrator::check_signal(const std::vector<RangeObservation>& steady
   }
   const double saturated = static_cast<double>(saturated_) / n;
   if (saturated > 0.005) {
-    diagnostics.push_back(
-        {Severity::kWarning, "range.saturated",
-         fmt::format("the sensor reached its range of {:.1f} g in {:.1f} % of the readings", signal_.range_g,
-                     100.0 * saturated),
-         "turn it more gently", serial_, -1.0});
+    diagnostics.push_back({Severity::kWarning, "range.saturated",
+                           fmt::format("the sensor reached its range of {:.1f} g in {:.1f} % of the readings",
+                                       signal_.range_g, 100.0 * saturated),
+                           "turn it more gently", serial_, -1.0});
   }
   double steady_s = 0.0;
   for (std::size_t i = 0; i < steady.size(); ++i) {
@@ -218,8 +217,8 @@ Status RangeCalibrator::check_axes(const std::vector<RangeObservation>& steady) 
   for (int axis = 0; axis < 3; ++axis) {
     const Spread spread = spread_of(steady, [axis](const Vector3d& x) { return x[axis]; });
     if (suspicious && spread.high - spread.low < 0.25) {
-      return refuse(fmt::format("axis {} is stuck: it moved by only {:.2f} g while the others turned",
-                                axis_name(axis), spread.high - spread.low),
+      return refuse(fmt::format("axis {} is stuck: it moved by only {:.2f} g while the others turned", axis_name(axis),
+                                spread.high - spread.low),
                     "check this axis's wire and solder joint");
     }
     const int other = (axis + 1) % 3;
@@ -236,9 +235,8 @@ Status RangeCalibrator::check_axes(const std::vector<RangeObservation>& steady) 
     // Clipped somewhere before the decoder could see it: the axis stays at one end while the others go on turning.
     for (const double end : {spread.low, spread.high}) {
       std::vector<RangeObservation> at_end;
-      std::copy_if(steady.begin(), steady.end(), std::back_inserter(at_end), [&](const RangeObservation& observation) {
-        return std::abs(observation.x[axis] - end) < 0.01;
-      });
+      std::copy_if(steady.begin(), steady.end(), std::back_inserter(at_end),
+                   [&](const RangeObservation& observation) { return std::abs(observation.x[axis] - end) < 0.01; });
       if (at_end.size() * 20 > steady.size()) {
         const Spread others = spread_of(at_end, [axis](const Vector3d& x) {
           Vector3d rest = x;
@@ -308,7 +306,8 @@ Result<RangeResult> RangeCalibrator::finish(const std::string& date) const {
 
   RangeResult result;
   result.steady_s = whole.steady_s_;
-  for (const Status& check : {check_signal(steady, result.diagnostics), steady.empty() ? Status{} : check_axes(steady)}) {
+  for (const Status& check :
+       {check_signal(steady, result.diagnostics), steady.empty() ? Status{} : check_axes(steady)}) {
     if (!check) {
       return check.error();
     }
@@ -356,10 +355,10 @@ Result<RangeResult> RangeCalibrator::finish(const std::string& date) const {
   const RangeModel& chosen = ellipsoid_better ? ellipsoid->model : *extremes;
   if (chosen.b.cwiseAbs().maxCoeff() > 0.7 || chosen.A.diagonal().minCoeff() < 0.5 ||
       chosen.A.diagonal().maxCoeff() > 2.0) {
-    return refuse(fmt::format("offset {:.2f} g and scale {:.2f} to {:.2f} are not those of this sensor",
-                              chosen.b.cwiseAbs().maxCoeff(), chosen.A.diagonal().minCoeff(),
-                              chosen.A.diagonal().maxCoeff()),
-                  "check the rig's sensitivity and zero, the volume and the balance");
+    return refuse(
+        fmt::format("offset {:.2f} g and scale {:.2f} to {:.2f} are not those of this sensor",
+                    chosen.b.cwiseAbs().maxCoeff(), chosen.A.diagonal().minCoeff(), chosen.A.diagonal().maxCoeff()),
+        "check the rig's sensitivity and zero, the volume and the balance");
   }
   result.verdict = residual <= parameters_.good_residual_g     ? Verdict::kGood
                    : residual <= parameters_.usable_residual_g ? Verdict::kUsable

@@ -27,12 +27,12 @@ struct RangeParameters {
 
 /// Where a running range calibration stands.
 struct RangeProgress {
-  double seconds = 0.0;         ///< Since the first reading.
-  double steady_s = 0.0;        ///< Of which steady.
-  double coverage = 0.0;        ///< Fraction of the sphere, 0..1 (with the nominal calibration).
-  bool steady_now = false;      ///< The newest reading that is judged (0.3 s old).
-  double unsteadiness_g = 0.0;  ///< There.
-  double rate_g_per_s = 0.0;    ///< There; 1 g/s is 57°/s of turning.
+  double seconds = 0.0;              ///< Since the first reading.
+  double steady_s = 0.0;             ///< Of which steady.
+  double coverage = 0.0;             ///< Fraction of the sphere, 0..1 (with the nominal calibration).
+  bool steady_now = false;           ///< The newest reading that is judged (0.3 s old).
+  double unsteadiness_g = 0.0;       ///< There.
+  double rate_g_per_s = 0.0;         ///< There; 1 g/s is 57°/s of turning.
   Vector3d up_S = Vector3d::Zero();  ///< There: direction that points up now, sensor frame.
   std::vector<Vector3d> missing;     ///< Directions that should still point up, the most wanted first.
   bool enough = false;               ///< Coverage and time suffice for `finish`.
@@ -45,7 +45,7 @@ struct RangeResult {
   SensorCalibration extremes;     ///< The paper's way; residual_g is of held-out readings, as in all three.
   SensorCalibration ellipsoid;
   Verdict verdict = Verdict::kRepeat;
-  std::string text;      ///< The verdict with its number and reason, for people.
+  std::string text;          ///< The verdict with its number and reason, for people.
   double offset_sd_g = 0.0;  ///< Standard error of the ellipsoid's offset.
   double steady_s = 0.0;
   Diagnostics diagnostics;

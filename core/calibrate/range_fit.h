@@ -25,9 +25,9 @@ struct RangeModel {
 };
 
 struct ExtremesParameters {
-  double opening_s = 0.15;    ///< Peaks shorter than this do not count (grey-scale opening).
-  double percentile_s = 0.2;  ///< The extreme is what is reached for this long in all.
-  double largest_gap_s = 0.1; ///< A run of readings ends at a longer gap.
+  double opening_s = 0.15;     ///< Peaks shorter than this do not count (grey-scale opening).
+  double percentile_s = 0.2;   ///< The extreme is what is reached for this long in all.
+  double largest_gap_s = 0.1;  ///< A run of readings ends at a longer gap.
 };
 
 /// Line-in paper §4: lowest and highest value per axis, short peaks suppressed, mapped to ±1 g; A is diagonal.
@@ -37,10 +37,10 @@ std::optional<RangeModel> fit_extremes(std::span<const RangeObservation> observa
 
 /// Result of `fit_ellipsoid`.
 struct EllipsoidFit {
-  RangeModel model;             ///< A is symmetric.
-  double sigma = 0.0;           ///< Robust standard deviation of the residuals, g.
-  double offset_sd = 0.0;       ///< Standard error of b, root mean square of its axes, nominal g.
-  double gain_after = 1.0;      ///< Gain after `step_s` relative to before; 1 when no step was asked for.
+  RangeModel model;         ///< A is symmetric.
+  double sigma = 0.0;       ///< Robust standard deviation of the residuals, g.
+  double offset_sd = 0.0;   ///< Standard error of b, root mean square of its axes, nominal g.
+  double gain_after = 1.0;  ///< Gain after `step_s` relative to before; 1 when no step was asked for.
   int iterations = 0;
 };
 

@@ -12,9 +12,9 @@ namespace limbwave::calibrate {
 
 /// What one sensor read over time; all vectors have the same length, times increase.
 struct SensorSeries {
-  std::vector<double> times;            ///< Seconds since the start of the take.
-  std::vector<Eigen::Vector3d> volts;   ///< Relative to the reference slot.
-  std::vector<unsigned char> usable;    ///< 0 where clipped or out of sync.
+  std::vector<double> times;           ///< Seconds since the start of the take.
+  std::vector<Eigen::Vector3d> volts;  ///< Relative to the reference slot.
+  std::vector<unsigned char> usable;   ///< 0 where clipped or out of sync.
 
   void push(double time_s, const Eigen::Vector3d& reading, bool is_usable) {
     times.push_back(time_s);

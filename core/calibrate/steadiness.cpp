@@ -80,8 +80,7 @@ void SteadinessFilter::advance(bool finishing) {
     fitted_.push_back(fit(next_++));
   }
   // A jerk must not count with its flanks: a sample is steady when all around it are calm.
-  while (next_steady_ < fitted_.size() &&
-         (finishing || fitted_.back().time_s - fitted_[next_steady_].time_s > half)) {
+  while (next_steady_ < fitted_.size() && (finishing || fitted_.back().time_s - fitted_[next_steady_].time_s > half)) {
     SteadySample sample = fitted_[next_steady_];
     sample.steady = calm(sample);
     for (std::size_t i = next_steady_; sample.steady && i-- > 0 && sample.time_s - fitted_[i].time_s <= half;) {

@@ -14,12 +14,12 @@ struct SteadySample {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< Low-passed, same unit as the input.
   double unsteadiness = 0.0;                        ///< RMS about the local parabola, same unit, all axes together.
   double rate = 0.0;                                ///< Length of the slope, unit per second.
-  bool whole = false;    ///< The window around the sample has no gap and no unusable reading.
-  bool steady = false;   ///< Slow and free of jerks here and for a window's half around.
+  bool whole = false;   ///< The window around the sample has no gap and no unusable reading.
+  bool steady = false;  ///< Slow and free of jerks here and for a window's half around.
 };
 
 struct SteadinessParameters {
-  double half_window_s = 0.15;     ///< Of the parabola that is fitted around every reading.
+  double half_window_s = 0.15;         ///< Of the parabola that is fitted around every reading.
   double largest_unsteadiness = 0.02;  ///< Unit of the input; a jerk leaves more about the parabola.
   double largest_rate = 1.2;           ///< Unit per second; 1.2 g/s is 69°/s of turning.
   double largest_gap_s = 0.1;          ///< Readings further apart are not taken together.

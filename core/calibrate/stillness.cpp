@@ -46,8 +46,7 @@ class Movement {
       const bool whole = std::all_of(series.begin(), series.end(), [i](const SensorSeries& one) {
         return one.usable[i] != 0 && one.volts[i].allFinite();
       });
-      const bool joined =
-          i > 0 && series.front().times[i] - series.front().times[i - 1] <= parameters.largest_gap_s;
+      const bool joined = i > 0 && series.front().times[i] - series.front().times[i - 1] <= parameters.largest_gap_s;
       run_[i] = !whole ? 0 : joined ? run_[i - 1] + 1 : 1;
     }
   }
@@ -168,8 +167,7 @@ std::vector<StillWindow> still_windows(std::span<const SensorSeries> series,
       ++begin;
       continue;
     }
-    while (end < movement.size() && movement.whole(begin, end + 1) &&
-           movement.of_all(begin, end + 1) <= threshold_g) {
+    while (end < movement.size() && movement.whole(begin, end + 1) && movement.of_all(begin, end + 1) <= threshold_g) {
       ++end;
     }
     windows.push_back(movement.window(begin, end));

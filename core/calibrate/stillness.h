@@ -16,15 +16,15 @@ namespace limbwave::calibrate {
 struct StillWindow {
   std::size_t begin = 0, end = 0;  ///< Readings [begin, end).
   double begin_s = 0.0, end_s = 0.0;
-  double movement_g = 0.0;            ///< RMS about the mean over all sensors of the window, g.
-  std::vector<double> sensor_g;       ///< The same per sensor, g.
-  std::vector<Vector3d> mean_volts;   ///< Mean reading per sensor.
+  double movement_g = 0.0;           ///< RMS about the mean over all sensors of the window, g.
+  std::vector<double> sensor_g;      ///< The same per sensor, g.
+  std::vector<Vector3d> mean_volts;  ///< Mean reading per sensor.
 };
 
 struct StillnessParameters {
-  double window_s = 1.0;        ///< Shortest stretch that is taken.
-  double largest_gap_s = 0.1;   ///< Readings further apart do not belong to one window.
-  double cap_g = 0.2;           ///< One sensor's movement counts at most this much, so that a loose one does not decide.
+  double window_s = 1.0;       ///< Shortest stretch that is taken.
+  double largest_gap_s = 0.1;  ///< Readings further apart do not belong to one window.
+  double cap_g = 0.2;          ///< One sensor's movement counts at most this much, so that a loose one does not decide.
   double extend_factor = 1.25;  ///< A best window grows while its movement stays below this factor of its own.
 };
 

@@ -66,8 +66,7 @@ Quaterniond orientation(const Vector3d& up_L, double heading = 0.0,
                         const Quaterniond& previous_R_WL = Quaterniond::Identity());
 
 /// `orientation` for a series, each one the predecessor of the next; `headings` has one entry per inclination or none.
-std::vector<Quaterniond> orientations(std::span<const Inclination> inclinations,
-                                      std::span<const double> headings = {});
+std::vector<Quaterniond> orientations(std::span<const Inclination> inclinations, std::span<const double> headings = {});
 
 /// Inclination of every sample of a whole series, any method; forward and backward in time, so without lag.
 /// Times must increase; samples that do not are copies of their predecessor's result.
