@@ -34,9 +34,9 @@ class [[nodiscard]] Result {
   explicit operator bool() const { return ok(); }
 
   /// The value; asserts that there is one.
-  T& value() & { return checked(std::get_if<0>(&content_)); }
-  const T& value() const& { return checked(std::get_if<0>(&content_)); }
-  T&& value() && { return std::move(checked(std::get_if<0>(&content_))); }
+  T& value() & { return assert(ok()), *std::get_if<0>(&content_); }
+  const T& value() const& { return assert(ok()), *std::get_if<0>(&content_); }
+  T&& value() && { return assert(ok()), std::move(*std::get_if<0>(&content_)); }
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
   T&& operator*() && { return std::move(*this).value(); }
@@ -44,18 +44,9 @@ class [[nodiscard]] Result {
   const T* operator->() const { return &value(); }
 
   /// The reason; asserts that there is one.
-  [[nodiscard]] const Error& error() const { return checked(std::get_if<1>(&content_)); }
+  [[nodiscard]] const Error& error() const { return assert(!ok()), std::get<1>(content_); }
 
  private:
-  template <typename U>
-  static U& checked(U* content) {
-    assert(content != nullptr);
-    if (content == nullptr) {
-      __builtin_unreachable();  // so that no compiler warns about a null that the assertion rules out
-    }
-    return *content;
-  }
-
   std::variant<T, Error> content_;
 };
 
