@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Status check_name(const std::string& name) {
-  const bool plain = !name.empty() && name.size() <= 100 && name.front() != '.' &&
-                     name.find_first_of("/\\\0") == std::string::npos;
+  const bool plain =
+      !name.empty() && name.size() <= 100 && name.front() != '.' && name.find_first_of("/\\\0") == std::string::npos;
   if (!plain) {
     return Error{"cannot be the name of a solve", "\"" + name + "\"", "use letters, digits, spaces and dashes"};
   }
@@ -93,7 +93,8 @@ Status save_solve(const take::Take& take, const Solve& solve) {
     std::error_code ignored;
     fs::rename(old, target, ignored);
     fs::remove_all(part, ignored);
-    return Error{"cannot be written (" + code.message() + ")", target.string(), "check that you may write into the take"};
+    return Error{"cannot be written (" + code.message() + ")", target.string(),
+                 "check that you may write into the take"};
   }
   fs::remove_all(old, code);
   return {};

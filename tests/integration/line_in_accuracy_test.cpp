@@ -41,8 +41,8 @@ ErrorFigures still_pose_errors(const take::Take& take, const solve::Solve& solve
     }
     for (std::size_t s = 0; s < solve.clip.skeleton.segments.size(); ++s) {
       const auto& segment = truth.segments.at(s);
-      const auto nearest = static_cast<std::size_t>(
-          std::lower_bound(segment.times.begin(), segment.times.end(), time) - segment.times.begin());
+      const auto nearest = static_cast<std::size_t>(std::lower_bound(segment.times.begin(), segment.times.end(), time) -
+                                                    segment.times.begin());
       const Eigen::Vector3d up_true = segment.R_WL.at(nearest).conjugate() * Eigen::Vector3d::UnitZ();
       const Eigen::Vector3d up_found = R_WL[i][s].conjugate() * Eigen::Vector3d::UnitZ();
       figures.add(degrees(geometry::angle_between(up_true, up_found)));

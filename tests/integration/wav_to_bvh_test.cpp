@@ -24,7 +24,8 @@ using testing_support::TemporaryFolder;
 TEST(WavToBvh, ThroughTheCommandLine) {
   const TemporaryFolder folder;
   const CommandLine limbwave(folder.path());
-  ASSERT_EQ(limbwave.run({"simulate", "sim.take", "--motion", "arm-raise", "--errors", "accurate", "--seed", "5"}).status, 0);
+  ASSERT_EQ(
+      limbwave.run({"simulate", "sim.take", "--motion", "arm-raise", "--errors", "accurate", "--seed", "5"}).status, 0);
   // The recorder knows nothing of takes: only its WAV is taken over.
   std::filesystem::rename(folder / "sim.take/signal.wav", folder / "RECORD01.WAV");
   const auto imported = limbwave.run({"import", "walk.take", "RECORD01.WAV"});
@@ -51,9 +52,8 @@ TEST(WavToBvh, ThroughTheCommandLine) {
   for (const std::string group : {"Right arm", "Torso"}) {
     const auto first = times("pose:" + group + ":first");
     const auto second = times("pose:" + group + ":second");
-    const auto limb =
-        limbwave.run({"calibrate", "limb", "walk.take", "--group", group, "--from", first.first, "--to", first.second,
-                      "--second-from", second.first, "--second-to", second.second});
+    const auto limb = limbwave.run({"calibrate", "limb", "walk.take", "--group", group, "--from", first.first, "--to",
+                                    first.second, "--second-from", second.first, "--second-to", second.second});
     ASSERT_EQ(limb.status, 0) << limb.errors << limb.output;
   }
   const auto solved = limbwave.run({"solve", "walk.take"});
@@ -61,7 +61,7 @@ TEST(WavToBvh, ThroughTheCommandLine) {
   const auto exported = limbwave.run({"export", "walk.take", "-o", "walk.bvh", "--fps", "30"});
   ASSERT_EQ(exported.status, 0) << exported.errors;
 
-  const motion::Clip clip = require(interchange::read_bvh_file(folder / "walk.bvh")).clip;
+  const motion::Clip clip = require(interchange::load_bvh(folder / "walk.bvh"));
   EXPECT_GE(clip.joints.size(), 5U);
   EXPECT_NEAR(clip.frame_rate_hz, 30.0, 1e-3);
   // The same through the truth's own take: world inclinations agree with what was simulated.

@@ -84,8 +84,8 @@ class SensorTruth {
     const std::vector<Eigen::Vector3d>& f = forces_.at(sensor);
     const double position = time_s * rate_hz_;
     const auto last = static_cast<std::ptrdiff_t>(f.size()) - 6;
-    const std::ptrdiff_t first =
-        std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(std::floor(position)) - 2, 0, std::max<std::ptrdiff_t>(last, 0));
+    const std::ptrdiff_t first = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(std::floor(position)) - 2, 0,
+                                                            std::max<std::ptrdiff_t>(last, 0));
     Eigen::Vector3d value = Eigen::Vector3d::Zero();
     for (std::ptrdiff_t i = 0; i < 6; ++i) {
       double weight = 1.0;
@@ -107,7 +107,8 @@ class SensorTruth {
       if (sample < reach || sample + reach >= static_cast<std::ptrdiff_t>(q.size())) {
         return false;
       }
-      const double turn = q[static_cast<std::size_t>(sample - reach)].angularDistance(q[static_cast<std::size_t>(sample + reach)]);
+      const double turn =
+          q[static_cast<std::size_t>(sample - reach)].angularDistance(q[static_cast<std::size_t>(sample + reach)]);
       if (turn > 2e-5) {
         return false;
       }
