@@ -27,7 +27,7 @@ motion::Clip load_clip(const std::string& input, const std::string& solve, Conso
     return console.check(interchange::load_bvh(path, read));
   }
   if (extension == ".glb") {
-    return console.check(interchange::read_glb_file(path));
+    return console.check(interchange::load_glb(path));
   }
   console.fail(
       {"is neither a take nor an animation that can be read", input, "name a take's folder, a .bvh or a .glb"});
@@ -67,7 +67,7 @@ void add_export(CLI::App& app, Console& console) {
     } else if (extension == ".csv") {
       console.check(interchange::write_csv_poses_file(clip, output));
     } else if (extension == ".glb") {
-      console.check(interchange::write_glb_file(clip, output));
+      console.check(interchange::write_glb(clip, output));
     } else {
       console.fail({"has an ending that cannot be written", options->output, "use .bvh, .csv or .glb"});
     }

@@ -52,7 +52,7 @@ Result<nlohmann::json> load_json(const fs::path& path) {
 }
 
 Status write_parts(const fs::path& folder, const Solve& solve) {
-  if (const Status status = interchange::write_glb_file(solve.clip, folder / "clip.glb"); !status) {
+  if (const Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
     return status;
   }
   if (const Status status = write_file(folder / "settings.json", settings_to_json(solve.settings).dump(2) + "\n");
@@ -117,7 +117,7 @@ Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   if (!settings) {
     return settings.error();
   }
-  Result<motion::Clip> clip = interchange::read_glb_file(folder / "clip.glb");
+  Result<motion::Clip> clip = interchange::load_glb(folder / "clip.glb");
   if (!clip) {
     return clip.error();
   }
