@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -13,8 +14,9 @@ namespace limbwave::acquire {
 /// Little-endian signed integers, or IEEE floats with full scale ±1.
 enum class SampleType { kInt16, kInt24, kInt32, kFloat32 };
 
-std::string_view name(SampleType type);         ///< "int16", "int24", "int32", "float32"
-std::size_t bytes_per_sample(SampleType type);  ///< 2, 3, 4, 4
+std::string_view name(SampleType type);                        ///< "int16", "int24", "int32", "float32"
+std::optional<SampleType> sample_type(std::string_view name);  ///< The inverse of `name`.
+std::size_t bytes_per_sample(SampleType type);                 ///< 2, 3, 4, 4
 
 struct StreamFormat {
   SampleRate rate;

@@ -44,7 +44,7 @@ class JsonReader {
 
   [[nodiscard]] double number(double minimum = -std::numeric_limits<double>::infinity(),
                               double maximum = std::numeric_limits<double>::infinity()) const;
-  [[nodiscard]] std::int64_t integer(std::int64_t minimum, std::int64_t maximum) const;
+  std::int64_t integer(std::int64_t minimum, std::int64_t maximum) const;
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string string() const;
   /// Exactly `count` numbers.

@@ -1,0 +1,80 @@
+/// The calibrations that outlive a take: per physical sensor (once in its life) and per mounting on a subject.
+/// On disk: FOLDER/sensors/KEY/DATE.json and FOLDER/mounts/RIG/SUBJECT/DATE.json; nothing is overwritten, so that the
+/// history with dates and residuals stays.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/result.h"
+#include "body/rig.h"
+#include "calibrate/calibration.h"
+
+namespace limbwave::take {
+
+/// What a sensor is known by: its serial or, without one, its place on its board ("line-in-arm: forearm").
+std::string sensor_key(const body::Rig& rig, const body::Accelerometer& accelerometer);
+
+struct SensorRecord {
+  std::string key;
+  calibrate::SensorCalibration calibration;
+  std::filesystem::path file;
+};
+
+/// The sensors that were calibrated in one go; other sensors of the rig may be in other records.
+struct MountRecord {
+  std::string rig;
+  std::string subject;
+  std::string date;
+  std::vector<calibrate::MountCalibration> mounts;
+  std::filesystem::path file;
+};
+
+/// Everything in the library, newest first; files that could not be read are findings, not failures.
+struct LibraryListing {
+  std::vector<SensorRecord> sensors;
+  std::vector<MountRecord> mounts;
+  Diagnostics diagnostics;
+};
+
+/// What the library knows about one rig on one subject.
+struct LibraryLookup {
+  /// One entry per accelerometer, the newest of each; empty when any is missing.
+  std::optional<calibrate::RigCalibration> calibration;
+  std::vector<std::string> missing;  ///< One line each: "forearm: no range calibration".
+  std::string explanation;           ///< Where it came from, or what is missing and what to do; for people.
+  Diagnostics diagnostics;           ///< Files that could not be read.
+};
+
+class CalibrationLibrary {
+ public:
+  /// The user's own: user_data_folder()/calibrations.
+  CalibrationLibrary();
+  explicit CalibrationLibrary(std::filesystem::path folder);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  /// Adds a range calibration; its `date` is set to now when empty. Returns the file.
+  Result<std::filesystem::path> save_sensor(const std::string& key, calibrate::SensorCalibration calibration) const;
+  /// Adds a limb calibration of some or all sensors of a rig. Returns the file.
+  Result<std::filesystem::path> save_mounts(const std::string& rig, const std::string& subject,
+                                            std::vector<calibrate::MountCalibration> mounts) const;
+  /// Both for all sensors of a rig that were really calibrated (method other than "nominal").
+  Status save(const body::Rig& rig, const std::string& subject, const calibrate::RigCalibration& calibration) const;
+
+  [[nodiscard]] LibraryListing list() const;
+  [[nodiscard]] LibraryLookup lookup(const body::Rig& rig, const std::string& subject) const;
+  /// Deletes one record by the file that `list` or `save_*` gave; refuses files that are not in the library.
+  Status remove(const std::filesystem::path& file) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// `lookup` in the user's own library.
+LibraryLookup library_calibration(const body::Rig& rig, const std::string& subject);
+
+}  // namespace limbwave::take
