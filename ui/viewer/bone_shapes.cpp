@@ -77,7 +77,7 @@ Vector3d bone_end(const body::Skeleton& skeleton, const std::vector<body::Segmen
 
 TriangleMesh bone_mesh() {
   TriangleMesh mesh;
-  constexpr float kShoulder = 0.14F;  // Where the bone is thickest, as a fraction of its length.
+  static constexpr float kShoulder = 0.14F;  // Where the bone is thickest, as a fraction of its length.
   const Vector3f head(0, 0, 0);
   const Vector3f tail(1, 0, 0);
   constexpr int kSides = 4;

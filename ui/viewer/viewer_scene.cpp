@@ -220,6 +220,10 @@ struct ViewerScene::Impl {
 };
 
 ViewerScene::ViewerScene() : impl_(std::make_unique<Impl>()) {
+  // Qt3D has two ways of drawing; our shaders are for the one that talks to OpenGL itself.
+  if (!qEnvironmentVariableIsSet("QT3D_RENDERER")) {
+    qputenv("QT3D_RENDERER", "opengl");
+  }
   impl_->window = new Qt3DExtras::Qt3DWindow;
   impl_->alive = impl_->window;
   // The widget around it gets the mouse and the keys: shortcuts work whether or not the picture was clicked last.
@@ -240,7 +244,7 @@ ViewerScene::ViewerScene() : impl_(std::make_unique<Impl>()) {
     if (impl_->pose_waits) {
       impl_->pose_waits = false;
       QMetaObject::invokeMethod(
-          this, [this, tag = impl_->pose_tag] { emit frame_rendered(steady_seconds(), tag); }, Qt::QueuedConnection);
+          this, [this, tag = impl_->pose_tag] { Q_EMIT frame_rendered(steady_seconds(), tag); }, Qt::QueuedConnection);
     }
   });
 }

@@ -43,7 +43,7 @@ class ViewerScene : public QObject {
   void set_visible(bool floor, bool sensors, bool ghost);
   void capture(std::function<void(QImage)> done);
 
- signals:
+ Q_SIGNALS:
   void frame_rendered(double steady_time_s, double tag);
 
  private:

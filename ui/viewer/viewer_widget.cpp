@@ -273,7 +273,7 @@ void ViewerWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (click) {
     const int segment = segment_at(event->position());
     select(segment);
-    emit segment_clicked(segment);
+    Q_EMIT segment_clicked(segment);
   }
 }
 
@@ -325,7 +325,7 @@ void ViewerWidget::update_camera() {
   if (impl_->scene) {
     impl_->scene->set_camera(impl_->camera, width() / std::max(1.0, static_cast<double>(height())));
   }
-  emit camera_changed();
+  Q_EMIT camera_changed();
 }
 
 }  // namespace limbwave::ui

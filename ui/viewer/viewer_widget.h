@@ -70,7 +70,7 @@ class ViewerWidget : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {720, 520}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 180}; }
 
- signals:
+ Q_SIGNALS:
   /// A bone was clicked; -1 for the empty space.
   void segment_clicked(int segment);
   /// A frame that shows a new pose is on its way to the screen: std::chrono::steady_clock, seconds, and the tag given
