@@ -88,8 +88,7 @@ bool KeyEditor::set_value(int lane, double time_s, double value, int gesture) {
     }
   }
   const LaneKey added{model_.new_id(), time, value};
-  const bool done = push({{lane, std::nullopt, added}},
-                         tr("set key of %1").arg(model_.lane_name(lane)), gesture);
+  const bool done = push({{lane, std::nullopt, added}}, tr("set key of %1").arg(model_.lane_name(lane)), gesture);
   if (done) {
     select({{lane, added.id}});
   }

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/theme.h"
 #include "base/units.h"
+#include "common/theme.h"
 #include "timeline/timeline_layout.h"
 
 namespace limbwave::ui {
@@ -247,8 +247,8 @@ void TimelineCanvas::wheelEvent(QWheelEvent* event) {
     first_row_ = std::clamp(first_row_ - (delta.y() > 0 ? 1 : -1), 0, std::max(0, rows - fit));
     update();
   } else if (sideways) {
-    const double by = -(delta.x() != 0 ? delta.x() : delta.y()) / 120.0 * 0.1 *
-                      (time_.visible_end_s() - time_.visible_begin_s());
+    const double by =
+        -(delta.x() != 0 ? delta.x() : delta.y()) / 120.0 * 0.1 * (time_.visible_end_s() - time_.visible_begin_s());
     time_.set_visible(time_.visible_begin_s() + by, time_.visible_end_s() + by);
   } else {
     time_.zoom(std::pow(1.25, delta.y() / 120.0), scale().time(event->position().x()));

@@ -100,7 +100,12 @@ void TimelineCanvas::paint_markers(QPainter& painter) const {
     switch (marker.kind) {
       case TimelineMarker::Kind::kMarker:
         painter.setBrush(theme.accent);
-        shape.addPolygon(QPolygonF({{x, middle - 6}, {x + 8, middle - 3}, {x, middle}, {x, middle + 6}, {x - 1, middle + 6}, {x - 1, middle - 6}}));
+        shape.addPolygon(QPolygonF({{x, middle - 6},
+                                    {x + 8, middle - 3},
+                                    {x, middle},
+                                    {x, middle + 6},
+                                    {x - 1, middle + 6},
+                                    {x - 1, middle - 6}}));
         painter.drawPath(shape);
         break;
       case TimelineMarker::Kind::kLoss:
@@ -204,14 +209,14 @@ void TimelineCanvas::paint_overview(QPainter& painter) const {
   if (time_.duration_s() <= 0.0) {
     return;
   }
-  const Span thumb = overview_thumb(time_.visible_begin_s(), time_.visible_end_s(), time_.duration_s(), bar.left(),
-                                    bar.width(), 24);
+  const Span thumb =
+      overview_thumb(time_.visible_begin_s(), time_.visible_end_s(), time_.duration_s(), bar.left(), bar.width(), 24);
   painter.setBrush(theme.line);
   painter.drawRoundedRect(QRectF(thumb.begin, bar.top(), thumb.end - thumb.begin, bar.height()), 4, 4);
   for (const TimelineMarker& marker : markers_) {
     painter.setBrush(marker.kind == TimelineMarker::Kind::kLoss ? theme.danger : theme.dim);
-    painter.drawRect(QRectF(bar.left() + bar.width() * marker.time_s / time_.duration_s(), bar.top(), 1.5,
-                            bar.height()));
+    painter.drawRect(
+        QRectF(bar.left() + bar.width() * marker.time_s / time_.duration_s(), bar.top(), 1.5, bar.height()));
   }
   painter.setBrush(theme.accent);
   painter.drawRect(QRectF(bar.left() + bar.width() * time_.playhead_s() / time_.duration_s() - 1, bar.top() - 1, 2,

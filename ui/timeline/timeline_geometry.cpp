@@ -34,10 +34,25 @@ TickSpacing tick_spacing(double seconds_per_pixel, double frame_s, double label_
     double seconds;
     int minor;
   };
-  static constexpr std::array<Step, 19> kSteps{{{0.05, 5},  {0.1, 5},   {0.2, 4},   {0.5, 5},   {1, 5},
-                                                {2, 4},     {5, 5},     {10, 5},    {15, 3},    {30, 6},
-                                                {60, 6},    {120, 4},   {300, 5},   {600, 5},   {900, 3},
-                                                {1800, 6},  {3600, 6},  {7200, 4},  {21600, 6}}};
+  static constexpr std::array<Step, 19> kSteps{{{0.05, 5},
+                                                {0.1, 5},
+                                                {0.2, 4},
+                                                {0.5, 5},
+                                                {1, 5},
+                                                {2, 4},
+                                                {5, 5},
+                                                {10, 5},
+                                                {15, 3},
+                                                {30, 6},
+                                                {60, 6},
+                                                {120, 4},
+                                                {300, 5},
+                                                {600, 5},
+                                                {900, 3},
+                                                {1800, 6},
+                                                {3600, 6},
+                                                {7200, 4},
+                                                {21600, 6}}};
   for (const Step& step : kSteps) {
     if (step.seconds >= wanted) {
       return {step.seconds, step.minor};

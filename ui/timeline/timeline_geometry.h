@@ -41,8 +41,8 @@ std::string time_label(double time_s, double resolution_s);
 /// The time of the frame that is nearest.
 double snapped_to_frame(double time_s, double frame_s);
 
-/// The index of the x that is nearest to `pixel` and at most `reach` away; -1: none. Of equally near ones the last wins:
-/// it is drawn on top.
+/// The index of the x that is nearest to `pixel` and at most `reach` away; -1: none. Of equally near ones the last
+/// wins: it is drawn on top.
 int hit(const std::vector<double>& xs, double pixel, double reach);
 
 /// A time kept within 0 .. duration and at least `gap_s` away from all `others`, as near to `wanted_s` as that allows.

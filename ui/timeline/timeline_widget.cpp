@@ -16,6 +16,7 @@
 #include "base/units.h"
 #include "common/icons.h"
 #include "common/theme.h"
+#include "common/widgets.h"
 #include "timeline/shuttle.h"
 
 namespace limbwave::ui {
@@ -27,18 +28,18 @@ constexpr double kTurnStep = radians(1.0);
 constexpr double kFineTurnStep = radians(0.1);
 
 QToolButton* button(const QString& icon_name, const QString& name, const QString& keys, QWidget* parent) {
-  auto* made = new QToolButton(parent);
-  made->setIcon(icon(icon_name));
-  made->setAutoRaise(true);
-  made->setToolTip(keys.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, keys));
-  made->setAccessibleName(name);
+  QToolButton* made = icon_button(icon_name, name, parent);
+  if (!keys.isEmpty()) {
+    made->setToolTip(QStringLiteral("%1 (%2)").arg(name, keys));
+  }
   made->setFocusPolicy(Qt::TabFocus);
   return made;
 }
 
 // Whether a widget needs letters and arrows for itself.
 bool types_text(const QWidget* widget) {
-  return qobject_cast<const QLineEdit*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+  return qobject_cast<const QLineEdit*>(widget) != nullptr ||
+         qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
          (widget != nullptr && widget->inputMethodHints() != Qt::ImhNone) ||
          (widget != nullptr && widget->inherits("QTextEdit")) ||
          (widget != nullptr && widget->inherits("QPlainTextEdit"));
@@ -46,8 +47,8 @@ bool types_text(const QWidget* widget) {
 
 bool uses_arrows(const QWidget* widget) {
   return widget != nullptr &&
-         (widget->inherits("QAbstractSlider") || widget->inherits("QComboBox") || widget->inherits("QAbstractItemView") ||
-          widget->inherits("QTabBar") || widget->inherits("QRadioButton"));
+         (widget->inherits("QAbstractSlider") || widget->inherits("QComboBox") ||
+          widget->inherits("QAbstractItemView") || widget->inherits("QTabBar") || widget->inherits("QRadioButton"));
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ void TimelineWidget::build_transport() {
   now_->setAccessibleName(tr("Playhead"));
   length_ = new QLabel(bar);
   length_->setFont(tabular(font()));
-  length_->setForegroundRole(QPalette::PlaceholderText);
+  length_->setProperty("role", QStringLiteral("dim"));
   add_ = button(QStringLiteral("key"), tr("Set a key for the selected bone at the playhead"), tr("I"), bar);
   remove_ = button(QStringLiteral("minus"), tr("Delete the selected keys"), tr("Del"), bar);
   auto* all = button(QStringLiteral("frame"), tr("Show the whole clip"), tr("Shift+Home"), bar);

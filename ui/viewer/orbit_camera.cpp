@@ -83,8 +83,7 @@ void OrbitCamera::frame(const Eigen::Vector3d& centre, double radius, double asp
   const double half_horizontal = std::atan(aspect * std::tan(half_vertical));
   target_ = centre;
   const double margin = 1.08;
-  distance_ =
-      std::clamp(margin * radius / std::sin(std::min(half_vertical, half_horizontal)), 4 * kNearest, kFarthest);
+  distance_ = std::clamp(margin * radius / std::sin(std::min(half_vertical, half_horizontal)), 4 * kNearest, kFarthest);
 }
 
 ViewRay OrbitCamera::ray(const Eigen::Vector2d& pixel, const Eigen::Vector2d& size) const {
@@ -101,8 +100,7 @@ std::optional<Eigen::Vector2d> OrbitCamera::project(const Eigen::Vector3d& point
     return std::nullopt;
   }
   const double scale = size.y() / (2 * std::tan(vertical_field_ / 2) * depth);
-  return Eigen::Vector2d(size.x() / 2 + scale * from_camera.dot(right()),
-                         size.y() / 2 - scale * from_camera.dot(up()));
+  return Eigen::Vector2d(size.x() / 2 + scale * from_camera.dot(right()), size.y() / 2 - scale * from_camera.dot(up()));
 }
 
 }  // namespace limbwave::ui

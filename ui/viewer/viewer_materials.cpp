@@ -204,8 +204,8 @@ SurfaceMaterial::SurfaceMaterial(Kind kind, Qt3DCore::QNode* parent)
       setEffect(make_effect({make_pass("solid", kSurfaceVertex, kSurfaceFragment)}));
       break;
     case Kind::kSolidWithShadow:
-      setEffect(make_effect({make_pass("shadow", kShadowVertex, kShadowFragment),
-                             make_pass("solid", kSurfaceVertex, kSurfaceFragment)}));
+      setEffect(make_effect(
+          {make_pass("shadow", kShadowVertex, kShadowFragment), make_pass("solid", kSurfaceVertex, kSurfaceFragment)}));
       break;
     case Kind::kTranslucent:
       setEffect(make_effect({make_pass("translucent", kSurfaceVertex, kSurfaceFragment)}));
@@ -227,8 +227,7 @@ void SurfaceMaterial::set_shadow_color(const QColor& color) {
 }
 
 FloorMaterial::FloorMaterial(Qt3DCore::QNode* parent)
-    : QMaterial(parent),
-      color_(new Qt3DRender::QParameter(QStringLiteral("line_color"), QVector4D(1, 1, 1, 1), this)) {
+    : QMaterial(parent), color_(new Qt3DRender::QParameter(QStringLiteral("line_color"), QVector4D(1, 1, 1, 1), this)) {
   setEffect(make_effect({make_pass("floor", kFloorVertex, kFloorFragment)}));
   addParameter(color_);
 }

@@ -77,10 +77,11 @@ ViewerWidget::ViewerWidget(QWidget* parent) : QWidget(parent), impl_(std::make_u
     connect(impl_->scene.get(), &ViewerScene::frame_rendered, this, &ViewerWidget::frame_rendered);
   } else {
     impl_->message = new QLabel(this);
-    impl_->message->setText(tr("<p><b>No picture: this computer offers no OpenGL 3.2.</b></p>"
-                               "<p>Everything else works: solve, edit keys and export as usual. To see the figure, "
-                               "install the graphics driver or Mesa (on Debian: libgl1-mesa-dri) and start "
-                               "again.</p>"));
+    impl_->message->setText(
+        tr("<p><b>No picture: this computer offers no OpenGL 3.2.</b></p>"
+           "<p>Everything else works: solve, edit keys and export as usual. To see the figure, "
+           "install the graphics driver or Mesa (on Debian: libgl1-mesa-dri) and start "
+           "again.</p>"));
     impl_->message->setWordWrap(true);
     impl_->message->setAlignment(Qt::AlignCenter);
     impl_->message->setMargin(32);
@@ -220,8 +221,8 @@ void ViewerWidget::frame_selection() {
 int ViewerWidget::segment_at(const QPointF& point) const {
   const ViewRay ray = impl_->camera.ray({point.x(), point.y()},
                                         {static_cast<double>(width()), std::max(1.0, static_cast<double>(height()))});
-  const double slack =
-      kPickSlackPixels * 2 * std::tan(impl_->camera.vertical_field() / 2) / std::max(1.0, static_cast<double>(height()));
+  const double slack = kPickSlackPixels * 2 * std::tan(impl_->camera.vertical_field() / 2) /
+                       std::max(1.0, static_cast<double>(height()));
   return pick_segment(impl_->skeleton, impl_->poses, ray, slack);
 }
 

@@ -147,8 +147,8 @@ class ViewerWidgetTest : public QObject {
     QVERIFY(viewer_->camera().yaw() != before.yaw());
     QVERIFY(viewer_->camera().pitch() > before.pitch());
     QCOMPARE(viewer_->camera().target(), before.target());
-    for (const auto& [button, modifiers] :
-         {std::pair<Qt::MouseButton, Qt::KeyboardModifiers>(Qt::MiddleButton, {}), {Qt::LeftButton, Qt::ShiftModifier}}) {
+    for (const auto& [button, modifiers] : {std::pair<Qt::MouseButton, Qt::KeyboardModifiers>(Qt::MiddleButton, {}),
+                                            {Qt::LeftButton, Qt::ShiftModifier}}) {
       const OrbitCamera start = viewer_->camera();
       drag(button, modifiers);
       QVERIFY((viewer_->camera().target() - start.target()).norm() > 0.01);
@@ -200,16 +200,16 @@ class ViewerWidgetTest : public QObject {
 
   void ghost_sensors_and_floor_can_be_hidden() {
     show_arm(true);
-    viewer_->set_ghost(body::poses_from_orientations(skeleton_,
-                                                     [&] {
-                                                       std::vector<body::Quaterniond> R;
-                                                       for (const auto& pose : viewer_->pose()) {
-                                                         R.push_back(Eigen::AngleAxisd(0.12, Eigen::Vector3d::UnitX()) *
-                                                                     pose.R_WL);
-                                                       }
-                                                       return R;
-                                                     }(),
-                                                     viewer_->pose()[0].p_WL));
+    viewer_->set_ghost(body::poses_from_orientations(
+        skeleton_,
+        [&] {
+          std::vector<body::Quaterniond> R;
+          for (const auto& pose : viewer_->pose()) {
+            R.push_back(Eigen::AngleAxisd(0.12, Eigen::Vector3d::UnitX()) * pose.R_WL);
+          }
+          return R;
+        }(),
+        viewer_->pose()[0].p_WL));
     const QImage all = grab(*viewer_);
     save(all, QStringLiteral("viewer_ghost.png"));
     viewer_->set_ghost_visible(false);
