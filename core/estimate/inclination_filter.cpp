@@ -18,12 +18,10 @@ using Vector = InclinationFilter::Vector;
 constexpr double kRateTime = 1.0;
 // Angular acceleration of unhurried limbs, rad/s²: half a radian of amplitude at half a hertz.
 constexpr double kCalmAngularAcceleration = 4.0;
-// Limbs accelerate by turning about joints; sensors sit about this far from the joint that moves them, metres.
-constexpr double kLever = 0.4;
 // For how long angular acceleration keeps its sign, seconds; makes a white noise density of its variance.
 constexpr double kAngularAccelerationTime = 0.2;
-// An acceleration of limbs keeps its sign for at most half a second (line-in paper §5), typically a third.
-constexpr double kAccelerationOmega = 2.0 * kPi * 1.5;
+// An acceleration of limbs keeps its sign for at most half a second (line-in paper §5), typically a quarter.
+constexpr double kAccelerationOmega = 2.0 * kPi * 2.0;
 constexpr double kAccelerationDamping = 0.7;
 // Limb acceleration that is always possible, m/s²; keeps covariances positive, is 0.006° of direction.
 constexpr double kLeastAcceleration = 1e-3;
@@ -31,6 +29,9 @@ constexpr double kLeastAcceleration = 1e-3;
 constexpr double kLongestGap = 1.0;
 // 0.1 % of χ² with two degrees of freedom.
 constexpr double kGate = 13.8;
+
+// Degrees of freedom of Student's t in the likelihood of a sample.
+constexpr double kStudent = 4.0;
 
 constexpr int kTheta = 0;
 constexpr int kRate = 2;
@@ -82,7 +83,7 @@ void InclinationFilter::predict(double dt, double acceleration_sd) {
   F.block<3, 3>(kAcceleration, kVelocity) = oscillator(1, 0) * Matrix3d::Identity();
   F.block<3, 3>(kAcceleration, kAcceleration) = oscillator(1, 1) * Matrix3d::Identity();
 
-  const double lever_rate = acceleration_sd / kLever;
+  const double lever_rate = acceleration_sd / lever_;
   // Smoothing over longer times means slower turning: the density goes with the third power of time.
   const double slower = std::pow(0.08 / parameters_.smoothing_s, 3);
   const double q = slower * kAngularAccelerationTime *
@@ -122,6 +123,11 @@ void InclinationFilter::update(const ForceSample& sample, double acceleration_sd
   H.block<3, 3>(3, kAcceleration) = Matrix3d::Identity();
   const double r = noise * noise;
 
+  const Eigen::Matrix<double, 3, kStates> H3 = H.topRows<3>();
+  const Matrix3d S3 = H3 * state_.P * H3.transpose() + r * Matrix3d::Identity();
+  const double nis3 = innovation.dot(S3.ldlt().solve(innovation));
+  log_likelihood_ = -0.5 * std::log(S3.determinant()) - 0.5 * (kStudent + 3.0) * std::log1p(nis3 / kStudent);
+
   // A turn that no limb can do in one cycle is an acceleration that |f| has not shown yet.
   const Eigen::Matrix<double, 2, kStates> H2 = H.topRows<2>();
   const Eigen::Matrix2d S2 = H2 * state_.P * H2.transpose() + r * Eigen::Matrix2d::Identity();
@@ -155,6 +161,7 @@ void InclinationFilter::update(const ForceSample& sample, double acceleration_sd
 
 void InclinationFilter::step(const ForceSample& sample, double acceleration_sd, double noise) {
   const double dt = sample.time_s - time_s_;
+  log_likelihood_ = 0.0;
   const bool usable = sample.usable && sample.f_L.allFinite() && sample.f_L.squaredNorm() > 1e-6;
   if (!started_) {
     if (usable) {

@@ -38,13 +38,17 @@ class InclinationFilter {
     bool connected = false;     ///< False where the filter started anew.
   };
 
-  explicit InclinationFilter(const InclinationParameters& parameters) : parameters_(parameters) {}
+  /// `lever`: how limb acceleration goes with angular acceleration, metres (acceleration = lever · angular).
+  InclinationFilter(const InclinationParameters& parameters, double lever) : parameters_(parameters), lever_(lever) {}
 
   /// One sample. `acceleration_sd` and `noise` in m/s² per axis, for this sample.
   void step(const ForceSample& sample, double acceleration_sd, double noise);
 
   [[nodiscard]] bool started() const { return started_; }
   [[nodiscard]] const Record& record() const { return record_; }
+  /// Logarithm of how likely the newest sample was, given those before it; Student's t, so that a knock decides
+  /// nothing. 0 where nothing was predicted.
+  [[nodiscard]] double log_likelihood() const { return log_likelihood_; }
 
   /// Rauch-Tung-Striebel pass over records in order of time: the smoothed states.
   static std::vector<State> smooth(const std::vector<Record>& records);
@@ -59,6 +63,8 @@ class InclinationFilter {
   void update(const ForceSample& sample, double acceleration_sd, double noise);
 
   InclinationParameters parameters_;
+  double lever_;
+  double log_likelihood_ = 0.0;
   bool started_ = false;
   double time_s_ = 0.0;
   State state_;
