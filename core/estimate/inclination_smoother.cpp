@@ -87,12 +87,13 @@ struct Pass {
   std::vector<double> log_likelihoods;
 };
 
-Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& around, double lever,
+Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& around,
+                   std::span<const AccelerationStep> steps, const Hypothesis& hypothesis,
                    const InclinationParameters& parameters) {
   Pass pass;
   pass.inclinations.resize(samples.size());
   pass.log_likelihoods.resize(samples.size());
-  InclinationFilter filter(parameters, lever);
+  InclinationFilter filter(parameters, hypothesis);
   std::vector<InclinationFilter::Record> records;
   std::size_t first = 0;  // sample of records[0]
   const auto give_out = [&](std::size_t count) {
@@ -105,7 +106,7 @@ Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& aro
     first += count;
   };
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    filter.step(samples[i], around.acceleration_sd[i], around.noise[i]);
+    filter.step(samples[i], steps[i], around.acceleration_sd[i], around.noise[i]);
     pass.log_likelihoods[i] = filter.log_likelihood();
     if (!filter.started()) {
       pass.inclinations[i].time_s = samples[i].time_s;
@@ -121,8 +122,8 @@ Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& aro
   return pass;
 }
 
-// The mean of the levers' directions, and the spread of it and of each.
-Inclination mixed(std::span<const Inclination> each, const LeverLogs& weights) {
+// The mean of the hypotheses' directions, and the spread of it and of each.
+Inclination mixed(std::span<const Inclination> each, const Logs& weights) {
   Inclination mean = each.front();
   Vector3d direction = Vector3d::Zero();
   for (std::size_t k = 0; k < each.size(); ++k) {
@@ -144,33 +145,37 @@ Inclination mixed(std::span<const Inclination> each, const LeverLogs& weights) {
 std::vector<Inclination> bridging(std::span<const ForceSample> samples, const InclinationParameters& parameters) {
   const Surroundings around = surroundings_of(samples, parameters);
   std::vector<Pass> passes;
-  for (const double lever : kLevers) {
-    passes.push_back(bridging_pass(samples, around, lever, parameters));
+  std::vector<AccelerationStep> steps;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    steps.push_back(acceleration_step(i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s));
+  }
+  for (std::size_t k = 0; k < kHypotheses; ++k) {
+    passes.push_back(bridging_pass(samples, around, steps, hypothesis(k), parameters));
   }
   const auto logs_at = [&](std::size_t i) {
-    LeverLogs logs{};
+    Logs logs{};
     for (std::size_t k = 0; k < passes.size(); ++k) {
       logs[k] = passes[k].log_likelihoods[i];
     }
     return logs;
   };
   // Likelihoods of the seconds before and after every sample.
-  std::vector<LeverLogs> evidence(samples.size());
-  LeverLogs sum{};
+  std::vector<Logs> evidence(samples.size());
+  Logs sum{};
   for (std::size_t i = 0; i < samples.size(); ++i) {
     add_faded(sum, logs_at(i), i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s);
     evidence[i] = sum;
   }
-  sum = LeverLogs{};
+  sum = Logs{};
   std::vector<Inclination> result(samples.size());
-  std::vector<Inclination> each(kLevers.size());
+  std::vector<Inclination> each(kHypotheses);
   for (std::size_t i = samples.size(); i-- > 0;) {
     // The sample's own likelihood is in the forward sum already.
     for (std::size_t k = 0; k < sum.size(); ++k) {
       each[k] = passes[k].inclinations[i];
       evidence[i][k] += sum[k];
     }
-    result[i] = mixed(each, lever_weights(evidence[i]));
+    result[i] = mixed(each, weights_of(evidence[i]));
     add_faded(sum, logs_at(i), i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s);
   }
   return result;
@@ -244,8 +249,8 @@ struct InclinationTracker::Impl {
         noise(parameters_.sensor_noise),
         recent(parameters_.burst_s),
         adaptive_filter(parameters_) {
-    for (const double lever : kLevers) {
-      bridging_filters.emplace_back(parameters_, lever);
+    for (std::size_t k = 0; k < kHypotheses; ++k) {
+      bridging_filters.emplace_back(parameters_, hypothesis(k));
     }
   }
 
@@ -255,7 +260,7 @@ struct InclinationTracker::Impl {
   RecentSamples recent;
   AdaptiveFilter adaptive_filter;
   std::vector<InclinationFilter> bridging_filters;
-  LeverLogs evidence{};
+  Logs evidence{};
   Inclination last;
   bool any = false;
 };
@@ -302,10 +307,11 @@ Inclination InclinationTracker::push(const ForceSample& given) {
     }
     case Smoothing::kBridging: {
       std::vector<Inclination> each;
-      LeverLogs logs{};
+      Logs logs{};
+      const AccelerationStep step = acceleration_step(dt);
       for (std::size_t k = 0; k < my.bridging_filters.size(); ++k) {
         InclinationFilter& filter = my.bridging_filters[k];
-        filter.step(sample, acceleration, noise);
+        filter.step(sample, step, acceleration, noise);
         logs[k] = filter.log_likelihood();
         if (filter.started()) {
           each.push_back(inclination_of(filter.record().updated, sample, deviation, my.parameters));
@@ -314,7 +320,7 @@ Inclination InclinationTracker::push(const ForceSample& given) {
       add_faded(my.evidence, logs, dt);
       my.last.time_s = sample.time_s;
       if (!each.empty()) {
-        my.last = mixed(each, lever_weights(my.evidence));
+        my.last = mixed(each, weights_of(my.evidence));
       }
       break;
     }
