@@ -17,8 +17,9 @@ using Matrix = InclinationFilter::Matrix;
 using Axes = InclinationFilter::Axes;
 using Column = Eigen::Matrix<double, InclinationFilter::kStates, 1>;
 
-// A limb cannot turn the same way for long; its rate is forgotten in about a second.
-constexpr double kRateTime = 1.0;
+// Limbs turn back and forth: a movement once a second keeps the sign of its rate for half a second, so the rate is
+// forgotten in half of that.
+constexpr double kRateTime = 0.25;
 // Angular acceleration of unhurried limbs, rad/s²: half a radian of amplitude at half a hertz.
 constexpr double kCalmAngularAcceleration = 4.0;
 // For how long angular acceleration keeps its sign, seconds; makes a white noise density of its variance.
@@ -30,6 +31,10 @@ constexpr double kAccelerationDamping = 0.7;
 constexpr double kAccelerationRolloff = 2.0 * kPi * 4.0;
 // Limb acceleration that is always possible, m/s²; keeps covariances positive, is 0.006° of direction.
 constexpr double kLeastAcceleration = 1e-3;
+// How far the very first reading is believed, radians.
+constexpr double kFirstReadingSd = 0.5;
+// Beyond this disagreement in calm readings the filter starts anew, radians.
+constexpr double kLostAngle = 1.0;
 // Nothing is bridged over more than this without readings, seconds.
 constexpr double kLongestGap = 1.0;
 // 0.1 % of χ² with two degrees of freedom.
@@ -110,8 +115,7 @@ void correct(InclinationFilter::State& state, const Axes& dx) {
 }
 
 // Joseph form of a scalar measurement with row h, the same for both axes.
-void measure(InclinationFilter::State& state, const Column& h, double variance,
-             const Eigen::RowVector2d& innovation) {
+void measure(InclinationFilter::State& state, const Column& h, double variance, const Eigen::RowVector2d& innovation) {
   const Column Ph = state.P * h;
   const double s = h.dot(Ph) + variance;
   const Column K = Ph / s;
@@ -137,7 +141,8 @@ void InclinationFilter::start(const ForceSample& sample, double acceleration_sd,
   state_.R_NL = geometry::shortest_arc(sample.f_L, Vector3d::UnitZ());
   const double direction = std::hypot(acceleration_sd, noise) / kStandardGravity;
   const double a = std::max(acceleration_sd, kLeastAcceleration);
-  state_.P(kTilt, kTilt) = direction * direction + 1e-10;
+  // One reading alone may be anything; those after it shall decide.
+  state_.P(kTilt, kTilt) = direction * direction + kFirstReadingSd * kFirstReadingSd;
   state_.P(kRate, kRate) = 1.0;
   state_.P.bottomRightCorner<3, 3>() = a * a * stationary();
   record_ = Record{};
@@ -155,7 +160,7 @@ void InclinationFilter::predict(const AccelerationStep& step, double acceleratio
   F(kRate, kRate) = decay;
   F.bottomRightCorner<3, 3>() = step.transition;
 
-  const double lever_rate = acceleration_sd / hypothesis_.lever;
+  const double lever_rate = acceleration_sd / lever_;
   // Smoothing over longer times means slower turning: the density goes with the third power of time.
   const double slower = std::pow(InclinationParameters{}.smoothing_s / parameters_.smoothing_s, 3);
   const double q = slower * kAngularAccelerationTime *
@@ -190,6 +195,12 @@ void InclinationFilter::update(const ForceSample& sample, double acceleration_sd
   const double nis = innovation.squaredNorm() / s;
   log_likelihood_ = -std::log(s) - 0.5 * (kStudent + 2.0) * std::log1p(nis / kStudent);
 
+  // An acceleration that turns the reading by this much and leaves its length alone all the time does not exist: what
+  // the filter believed was wrong.
+  if (acceleration_sd <= 0.0 && innovation.norm() > kLostAngle * length) {
+    start(sample, acceleration_sd, noise);
+    return;
+  }
   // A turn that no limb can do in one cycle is an acceleration that |f| has not shown yet.
   const bool jump = nis > kGate;
   if (jump) {
@@ -207,22 +218,21 @@ void InclinationFilter::update(const ForceSample& sample, double acceleration_sd
 
 void InclinationFilter::step(const ForceSample& sample, const AccelerationStep& step, double acceleration_sd,
                              double noise) {
-  const double across_sd = hypothesis_.across * acceleration_sd;
   log_likelihood_ = 0.0;
   const bool usable = sample.usable && sample.f_L.allFinite() && sample.f_L.squaredNorm() > 1e-6;
   if (!started_ || (usable && step.dt > kLongestGap)) {
     if (usable) {
-      start(sample, across_sd, noise);
+      start(sample, acceleration_sd, noise);
     }
     return;
   }
   record_.connected = step.dt <= kLongestGap;
-  predict(step, across_sd);
+  predict(step, acceleration_sd);
   record_.predicted = state_;
   if (usable) {
-    update(sample, across_sd, noise);
+    update(sample, acceleration_sd, noise);
   }
-  record_.updated = state_;
+  record_.updated = state_;  // after a new start its record is not connected and the same
 }
 
 std::vector<InclinationFilter::State> InclinationFilter::smooth(const std::vector<Record>& records) {

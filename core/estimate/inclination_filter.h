@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "estimate/inclination.h"
-#include "estimate/lever_bank.h"
 
 namespace limbwave::estimate {
 
@@ -49,10 +48,10 @@ class InclinationFilter {
     bool connected = false;     ///< False where the filter started anew.
   };
 
-  InclinationFilter(const InclinationParameters& parameters, const Hypothesis& hypothesis)
-      : parameters_(parameters), hypothesis_(hypothesis) {}
+  /// `lever`: how limb acceleration goes with angular acceleration, metres (acceleration = lever · angular).
+  InclinationFilter(const InclinationParameters& parameters, double lever) : parameters_(parameters), lever_(lever) {}
 
-  /// One sample. `acceleration_sd` (along gravity) and `noise` in m/s² per axis; `step` from the sample before.
+  /// One sample. `acceleration_sd` and `noise` in m/s² per axis; `step` from the sample before.
   void step(const ForceSample& sample, const AccelerationStep& step, double acceleration_sd, double noise);
 
   [[nodiscard]] bool started() const { return started_; }
@@ -74,7 +73,7 @@ class InclinationFilter {
   void update(const ForceSample& sample, double acceleration_sd, double noise);
 
   InclinationParameters parameters_;
-  Hypothesis hypothesis_;
+  double lever_;
   bool started_ = false;
   double log_likelihood_ = 0.0;
   State state_;

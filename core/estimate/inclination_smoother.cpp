@@ -88,12 +88,11 @@ struct Pass {
 };
 
 Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& around,
-                   std::span<const AccelerationStep> steps, const Hypothesis& hypothesis,
-                   const InclinationParameters& parameters) {
+                   std::span<const AccelerationStep> steps, double lever, const InclinationParameters& parameters) {
   Pass pass;
   pass.inclinations.resize(samples.size());
   pass.log_likelihoods.resize(samples.size());
-  InclinationFilter filter(parameters, hypothesis);
+  InclinationFilter filter(parameters, lever);
   std::vector<InclinationFilter::Record> records;
   std::size_t first = 0;  // sample of records[0]
   const auto give_out = [&](std::size_t count) {
@@ -122,7 +121,7 @@ Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& aro
   return pass;
 }
 
-// The mean of the hypotheses' directions, and the spread of it and of each.
+// The mean of the levers' directions, and the spread of it and of each.
 Inclination mixed(std::span<const Inclination> each, const Logs& weights) {
   Inclination mean = each.front();
   Vector3d direction = Vector3d::Zero();
@@ -149,8 +148,8 @@ std::vector<Inclination> bridging(std::span<const ForceSample> samples, const In
   for (std::size_t i = 0; i < samples.size(); ++i) {
     steps.push_back(acceleration_step(i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s));
   }
-  for (std::size_t k = 0; k < kHypotheses; ++k) {
-    passes.push_back(bridging_pass(samples, around, steps, hypothesis(k), parameters));
+  for (const double lever : kLevers) {
+    passes.push_back(bridging_pass(samples, around, steps, lever, parameters));
   }
   const auto logs_at = [&](std::size_t i) {
     Logs logs{};
@@ -168,7 +167,7 @@ std::vector<Inclination> bridging(std::span<const ForceSample> samples, const In
   }
   sum = Logs{};
   std::vector<Inclination> result(samples.size());
-  std::vector<Inclination> each(kHypotheses);
+  std::vector<Inclination> each(kLevers.size());
   for (std::size_t i = samples.size(); i-- > 0;) {
     // The sample's own likelihood is in the forward sum already.
     for (std::size_t k = 0; k < sum.size(); ++k) {
@@ -188,9 +187,9 @@ Inclination raw_inclination(const ForceSample& sample, const Inclination& last, 
   inclination.trust = usable_trust(sample, parameters);
   if (sample.usable && sample.f_L.norm() > 1e-3) {
     inclination.up_L = sample.f_L.normalized();
-    inclination.sd_rad =
-        (acceleration_sd(deviation, noise, parameters) + std::hypot(std::min(deviation, parameters.free_deviation), noise)) /
-        kStandardGravity;
+    inclination.sd_rad = (acceleration_sd(deviation, noise, parameters) +
+                          std::hypot(std::min(deviation, parameters.free_deviation), noise)) /
+                         kStandardGravity;
     inclination.known = true;
   }
   return inclination;
@@ -249,8 +248,8 @@ struct InclinationTracker::Impl {
         noise(parameters_.sensor_noise),
         recent(parameters_.burst_s),
         adaptive_filter(parameters_) {
-    for (std::size_t k = 0; k < kHypotheses; ++k) {
-      bridging_filters.emplace_back(parameters_, hypothesis(k));
+    for (const double lever : kLevers) {
+      bridging_filters.emplace_back(parameters_, lever);
     }
   }
 

@@ -1,10 +1,9 @@
-/// Several bridging filters that differ in two constants which only the data can tell, and their likelihoods.
+/// Several bridging filters that differ in one constant which only the data can tell, and their likelihoods.
 ///
 /// How strongly a limb turns while it accelerates depends on what is done: shaking something turns nothing, rolling a
 /// sensor in the hand turns it fast and hardly accelerates it. The ratio is a length: the lever of a sensor about the
-/// joint that moves it is 0.05 to 0.4 m, translation is a longer one. How much of the acceleration is across gravity,
-/// where | |f| − g | does not show it, depends on it too. Filters for all of these run side by side; each is believed
-/// as far as it predicted the readings of the last seconds.
+/// joint that moves it is 0.05 to 0.4 m, translation is a longer one. Filters for lengths that double from one to the
+/// next run side by side; each is believed as far as it predicted the readings of the last seconds.
 #pragma once
 
 #include <algorithm>
@@ -14,24 +13,13 @@
 
 namespace limbwave::estimate {
 
-/// One model of a limb's movement.
-struct Hypothesis {
-  double lever;   ///< Limb acceleration by angular acceleration, metres.
-  double across;  ///< Limb acceleration across gravity by what shows along it.
-};
-
+/// Limb acceleration by angular acceleration, metres.
 inline constexpr std::array<double, 6> kLevers = {0.05, 0.1, 0.2, 0.4, 0.8, 1.6};
-inline constexpr std::array<double, 3> kAcross = {1.0, 2.0, 4.0};
-inline constexpr std::size_t kHypotheses = kLevers.size() * kAcross.size();
 
-constexpr Hypothesis hypothesis(std::size_t index) {
-  return {kLevers[index / kAcross.size()], kAcross[index % kAcross.size()]};
-}
-
-/// For how long readings speak for or against a hypothesis, seconds.
+/// For how long readings speak for or against a lever, seconds.
 inline constexpr double kEvidenceMemory = 5.0;
 
-using Logs = std::array<double, kHypotheses>;
+using Logs = std::array<double, kLevers.size()>;
 
 /// Likelihoods, relative to each other and adding up to 1, from summed logarithms.
 inline Logs weights_of(const Logs& logs) {
