@@ -1,0 +1,89 @@
+/// limbwave-studio: the desktop program.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTimer>
+#include <QTranslator>
+
+#include "base/files.h"
+#include "common/icons.h"
+#include "common/studio_context.h"
+#include "common/theme.h"
+#include "workspaces/main_window.h"
+#include "workspaces/take_actions.h"
+#include "workspaces/workspace.h"
+
+namespace {
+
+limbwave::ui::StudioServices services() {
+  return {};
+}
+
+void install_translations(QApplication& application) {
+  static QTranslator ours, qt;
+  const QLocale locale;
+  if (qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+              QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+    QApplication::installTranslator(&qt);
+  }
+  if (ours.load(locale, QStringLiteral("limbwave"), QStringLiteral("_"), QStringLiteral(":/translations"))) {
+    QApplication::installTranslator(&ours);
+  }
+  Q_UNUSED(application);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("limbwave-studio"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Limbwave"));
+  QApplication::setApplicationVersion(QStringLiteral(LIMBWAVE_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("limbwave-studio"));
+  install_translations(application);
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QApplication::translate("main", "Records wearable motion sensors and turns them into animation."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const QCommandLineOption demo(QStringLiteral("demo"),
+                                QApplication::translate("main", "Open a demo take of the simulator."));
+  const QCommandLineOption theme(QStringLiteral("theme"), QApplication::translate("main", "Colours: dark or light."),
+                                 QStringLiteral("dark|light"));
+  parser.addOptions({demo, theme});
+  parser.addPositionalArgument(QStringLiteral("TAKE"),
+                               QApplication::translate("main", "Take folder to open, or recordings to import."),
+                               QStringLiteral("[TAKE]"));
+  parser.process(application);
+
+  limbwave::ui::StudioContext context(services(), QString::fromStdString(limbwave::user_data_folder().string()));
+  QString colours = parser.value(theme);
+  if (colours.isEmpty()) {
+    colours = context.settings().value(QStringLiteral("theme")).toString();
+  }
+  apply_theme(application,
+              colours == QLatin1String("light") ? limbwave::ui::ThemeKind::kLight : limbwave::ui::ThemeKind::kDark);
+  limbwave::ui::MainWindow window(context, limbwave::ui::studio_parts());
+  window.show();
+
+  const QStringList arguments = parser.positionalArguments();
+  QTimer::singleShot(0, &window, [&] {
+    if (parser.isSet(demo)) {
+      const auto motions =
+          context.services().demo_motions ? context.services().demo_motions() : std::vector<std::string>();
+      if (!motions.empty()) {
+        window.take_actions().open_demo(QString::fromStdString(motions.front()));
+      }
+    } else if (!arguments.isEmpty()) {
+      if (QFileInfo(arguments.first()).isDir()) {
+        window.take_actions().open(arguments.first());
+      } else {
+        window.take_actions().import_files(arguments);
+      }
+    }
+  });
+  return QApplication::exec();
+}

@@ -1,0 +1,224 @@
+#include "common/live_model.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace limbwave::ui {
+
+double steady_now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+LiveModel::LiveModel(const StudioServices& services, JobRunner& jobs, QObject* parent)
+    : QObject(parent), services_(services), jobs_(jobs) {
+  timer_.setInterval(33);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &LiveModel::poll);
+}
+
+LiveModel::~LiveModel() = default;
+
+void LiveModel::set_state(LiveState state) {
+  state_ = state;
+  if (state == LiveState::kRunning) {
+    timer_.start();
+  } else {
+    timer_.stop();
+  }
+  Q_EMIT state_changed();
+}
+
+void LiveModel::fail(const Error& error) {
+  problem_ = QString::fromStdString(error.place.empty() ? error.message : error.place + ": " + error.message);
+  remedy_ = QString::fromStdString(error.remedy);
+}
+
+bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig, double rate_hz) {
+  if (recording_ || finishing_ || !services_.open_device || !services_.load_rig || !services_.make_live) {
+    return false;
+  }
+  close();
+  device_id_ = device_id;
+  device_title_ = device_title;
+  problem_.clear();
+  remedy_.clear();
+  Result<solve::LiveSettings> settings = services_.load_rig(rig);
+  if (!settings) {
+    fail(settings.error());
+    set_state(LiveState::kOff);
+    return false;
+  }
+  settings_ = std::move(settings).value();
+  set_state(LiveState::kOpening);
+  const std::uint64_t attempt = ++opening_;
+  using Backend = std::shared_ptr<LiveBackend>;
+  auto work = [open_device = services_.open_device, make_live = services_.make_live, id = device_id.toStdString(), rig,
+               rate_hz, live_settings = settings_](const Progress&) -> Result<Backend> {
+    acquire::StreamFormat format;
+    format.rate = SampleRate{rate_hz};
+    auto source = open_device(id, format, rig);
+    if (!source) {
+      return source.error();
+    }
+    Backend backend = make_live(std::move(source).value(), live_settings);
+    if (Status started = backend->start(); !started) {
+      return started.error();
+    }
+    return backend;
+  };
+  jobs_.compute<Backend>(tr("Opening %1").arg(device_title), this, std::move(work),
+                         [this, attempt](Result<Backend> result) {
+                           if (attempt != opening_) {
+                             return;
+                           }
+                           if (!result) {
+                             fail(result.error());
+                             set_state(LiveState::kOff);
+                             return;
+                           }
+                           backend_ = std::move(result).value();
+                           set_state(LiveState::kRunning);
+                           poll();
+                         });
+  return true;
+}
+
+void LiveModel::close() {
+  if (recording_ || finishing_) {
+    return;
+  }
+  ++opening_;
+  drawn_.clear();
+  const bool had_snapshot = snapshot_ != nullptr;
+  snapshot_.reset();
+  if (backend_) {
+    // Stopping a sound server can take a moment.
+    jobs_.start(tr("Closing %1").arg(device_title_), nullptr, [backend = std::move(backend_)](const Progress&) mutable {
+      backend->stop();
+      backend.reset();
+      return Status();
+    });
+    backend_.reset();
+  }
+  if (state_ != LiveState::kOff) {
+    set_state(LiveState::kOff);
+  }
+  if (had_snapshot) {
+    Q_EMIT snapshot_changed();
+  }
+}
+
+void LiveModel::poll() {
+  if (!backend_ || finishing_) {
+    return;
+  }
+  std::shared_ptr<const solve::LiveSnapshot> next = backend_->snapshot();
+  if (!next || (snapshot_ && next->version == snapshot_->version)) {
+    return;
+  }
+  const bool was_alive = !snapshot_ || snapshot_->source_alive;
+  const bool had_error = snapshot_ && !snapshot_->recording_error.empty();
+  snapshot_ = std::move(next);
+  if (recording_ && !had_error && !snapshot_->recording_error.empty()) {
+    Q_EMIT recording_failed(QString::fromStdString(snapshot_->recording_error), {});
+    stop_recording();
+  }
+  if (was_alive && !snapshot_->source_alive) {
+    problem_ = tr("%1 has stopped sending.").arg(device_title_);
+    remedy_ = tr("Plug it in again, then choose it once more. What was recorded until now is kept.");
+    if (recording_) {
+      stop_recording();
+    }
+    Q_EMIT state_changed();
+  }
+  Q_EMIT snapshot_changed();
+}
+
+bool LiveModel::start_recording(const std::filesystem::path& folder, const QString& subject) {
+  if (!backend_ || recording_ || finishing_) {
+    return false;
+  }
+  if (Status status = backend_->start_recording(folder, subject.toStdString()); !status) {
+    fail(status.error());
+    Q_EMIT recording_failed(problem_, remedy_);
+    return false;
+  }
+  recording_ = true;
+  Q_EMIT recording_changed();
+  return true;
+}
+
+void LiveModel::stop_recording() {
+  if (!recording_ || !backend_) {
+    return;
+  }
+  recording_ = false;
+  finishing_ = true;
+  Q_EMIT recording_changed();
+  // The session's functions are called by one thread at a time: polling rests until the take is closed.
+  jobs_.compute<take::Take>(
+      tr("Closing the take"), this, [backend = backend_](const Progress&) { return backend->stop_recording(); },
+      [this](Result<take::Take> result) {
+        finishing_ = false;
+        Q_EMIT recording_changed();
+        if (!result) {
+          fail(result.error());
+          Q_EMIT recording_failed(problem_, remedy_);
+          return;
+        }
+        Q_EMIT recording_finished(result.value());
+      });
+}
+
+void LiveModel::mark(const QString& text) {
+  if (backend_ && recording_) {
+    backend_->mark(text.toStdString());
+    Q_EMIT marked(text);
+  }
+}
+
+void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {
+  settings_.calibration = calibration;
+  if (backend_ && !finishing_) {
+    backend_->set_calibration(calibration);
+  }
+}
+
+void LiveModel::set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) {
+  settings_.solve.headings = headings;
+  if (backend_ && !finishing_) {
+    backend_->set_headings(headings);
+  }
+}
+
+void LiveModel::note_drawn(double pose_capture_time_s) {
+  const double now = steady_now_s();
+  if (pose_capture_time_s <= 0.0 || pose_capture_time_s > now) {
+    return;
+  }
+  drawn_.emplace_back(now, now - pose_capture_time_s);
+  drawn_.erase(drawn_.begin(),
+               std::find_if(drawn_.begin(), drawn_.end(), [now](const auto& d) { return d.first > now - 2.0; }));
+}
+
+double LiveModel::latency_mean_s() const {
+  if (!drawn_.empty()) {
+    double sum = 0.0;
+    for (const auto& [time, latency] : drawn_) {
+      sum += latency;
+    }
+    return sum / static_cast<double>(drawn_.size());
+  }
+  return snapshot_ && !snapshot_->pose.empty() ? snapshot_->latency_mean_s : -1.0;
+}
+
+double LiveModel::latency_max_s() const {
+  if (!drawn_.empty()) {
+    return std::max_element(drawn_.begin(), drawn_.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->second;
+  }
+  return snapshot_ && !snapshot_->pose.empty() ? snapshot_->latency_max_s : -1.0;
+}
+
+}  // namespace limbwave::ui

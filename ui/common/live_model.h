@@ -1,0 +1,87 @@
+/// The live capture of the studio: opens a device, polls the session at the screen's pace, records. Everything that may
+/// wait runs in jobs.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <filesystem>
+#include <memory>
+
+#include "common/job_runner.h"
+#include "common/studio_services.h"
+
+namespace limbwave::ui {
+
+enum class LiveState { kOff, kOpening, kRunning, kStopping };
+
+class LiveModel : public QObject {
+  Q_OBJECT
+ public:
+  LiveModel(const StudioServices& services, JobRunner& jobs, QObject* parent = nullptr);
+  ~LiveModel() override;
+
+  [[nodiscard]] LiveState state() const { return state_; }
+  [[nodiscard]] bool running() const { return state_ == LiveState::kRunning; }
+  [[nodiscard]] bool recording() const { return recording_; }
+  /// True between "Stop" and the moment at which the take is complete on disk.
+  [[nodiscard]] bool finishing() const { return finishing_; }
+  /// The newest state; null while nothing has been captured.
+  [[nodiscard]] const std::shared_ptr<const solve::LiveSnapshot>& snapshot() const { return snapshot_; }
+  /// Rig, skeleton and calibration of the running capture.
+  [[nodiscard]] const solve::LiveSettings& settings() const { return settings_; }
+  [[nodiscard]] const QString& device_id() const { return device_id_; }
+  [[nodiscard]] const QString& device_title() const { return device_title_; }
+  /// Why the last opening failed, or why capture ended by itself; empty when all is well.
+  [[nodiscard]] const QString& problem() const { return problem_; }
+  [[nodiscard]] const QString& remedy() const { return remedy_; }
+
+  /// Closes what runs and opens this device; `rate_hz` 0 = the device's own. Refused while recording.
+  bool open(const QString& device_id, const QString& device_title, const std::string& rig, double rate_hz = 0.0);
+  /// Refused while recording.
+  void close();
+  /// False with `problem()` set when the folder cannot be made or nothing runs.
+  bool start_recording(const std::filesystem::path& folder, const QString& subject);
+  /// Ends in `recording_finished` or `recording_failed`.
+  void stop_recording();
+  void mark(const QString& text);
+  void set_calibration(const calibrate::RigCalibration& calibration);
+  void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings);
+
+  /// A viewer has drawn the pose that was captured at this steady_clock time: keeps capture-to-screen latency.
+  void note_drawn(double pose_capture_time_s);
+  /// Capture to screen, beyond the device's buffer, seconds: mean and largest of the last two seconds. When no viewer
+  /// draws, what the session measured up to the solved pose. Negative: not measured.
+  [[nodiscard]] double latency_mean_s() const;
+  [[nodiscard]] double latency_max_s() const;
+
+ Q_SIGNALS:
+  void state_changed();
+  void snapshot_changed();
+  void recording_changed();
+  void marked(const QString& text);
+  void recording_finished(const limbwave::take::Take& take);
+  void recording_failed(const QString& text, const QString& remedy);
+
+ private:
+  void poll();
+  void set_state(LiveState state);
+  void fail(const Error& error);
+
+  const StudioServices& services_;
+  JobRunner& jobs_;
+  LiveState state_ = LiveState::kOff;
+  bool recording_ = false, finishing_ = false;
+  QString device_id_, device_title_, problem_, remedy_;
+  solve::LiveSettings settings_;
+  std::shared_ptr<LiveBackend> backend_;
+  std::shared_ptr<const solve::LiveSnapshot> snapshot_;
+  QTimer timer_;
+  std::uint64_t opening_ = 0;                     ///< Counts attempts, so that one that was overtaken is dropped.
+  std::vector<std::pair<double, double>> drawn_;  ///< Clock time and latency, seconds, of the last two seconds.
+};
+
+/// steady_clock in seconds, the clock of `LiveSource::newest_frame_time_s`.
+double steady_now_s();
+
+}  // namespace limbwave::ui

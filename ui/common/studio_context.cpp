@@ -1,0 +1,51 @@
+#include "common/studio_context.h"
+
+#include <QDir>
+
+namespace limbwave::ui {
+
+StudioContext::StudioContext(StudioServices services, const QString& settings_folder, QObject* parent)
+    : QObject(parent),
+      services_(std::move(services)),
+      settings_(QDir(settings_folder).filePath(QStringLiteral("studio.ini")), QSettings::IniFormat),
+      recent_takes_(settings_),
+      document_(services_, jobs_),
+      live_(services_, jobs_) {
+  QDir().mkpath(settings_folder);
+  connect(&document_, &TakeDocument::changed, this, [this](bool other) {
+    if (other) {
+      selection_.clear();
+      undo_stack_.clear();
+      time_.set_extent(0.0, time_.frame_s());
+    }
+    if (other && document_.is_open()) {
+      recent_takes_.add(QString::fromStdString(document_.take()->folder.string()));
+    }
+  });
+  connect(&document_, &TakeDocument::open_failed, this, [this](const QString& folder, const Error& error) {
+    notifications_.post_error(tr("%1 cannot be opened").arg(QDir(folder).dirName()), error);
+  });
+  connect(&live_, &LiveModel::recording_finished, this, [this](const take::Take& take) { document_.set(take); });
+  connect(&live_, &LiveModel::recording_failed, this, [this](const QString& text, const QString& remedy) {
+    notifications_.post(Severity::kError, tr("Recording: %1").arg(text), remedy);
+  });
+}
+
+StudioContext::~StudioContext() {
+  settings_.sync();
+}
+
+QString StudioContext::takes_folder() const {
+  QString folder = settings_.value(QStringLiteral("takes/folder")).toString();
+  if (folder.isEmpty()) {
+    folder = QDir::home().filePath(QStringLiteral("Limbwave"));
+  }
+  QDir().mkpath(folder);
+  return folder;
+}
+
+void StudioContext::set_takes_folder(const QString& folder) {
+  settings_.setValue(QStringLiteral("takes/folder"), folder);
+}
+
+}  // namespace limbwave::ui

@@ -1,0 +1,64 @@
+/// What a workspace gets handed: the take, the selection, time, the live capture, jobs, undo, settings. Nothing else in
+/// the studio is global.
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <QString>
+#include <QUndoStack>
+#include <memory>
+
+#include "common/job_runner.h"
+#include "common/live_model.h"
+#include "common/notifications.h"
+#include "common/recent_takes.h"
+#include "common/selection.h"
+#include "common/studio_services.h"
+#include "common/take_document.h"
+#include "common/time_model.h"
+
+namespace limbwave::ui {
+
+class StudioContext : public QObject {
+  Q_OBJECT
+ public:
+  /// Settings are kept in `settings_folder`/studio.ini; the folder is made when needed.
+  StudioContext(StudioServices services, const QString& settings_folder, QObject* parent = nullptr);
+  ~StudioContext() override;
+
+  [[nodiscard]] const StudioServices& services() const { return services_; }
+  QSettings& settings() { return settings_; }
+  JobRunner& jobs() { return jobs_; }
+  Notifications& notifications() { return notifications_; }
+  RecentTakes& recent_takes() { return recent_takes_; }
+  TakeDocument& document() { return document_; }
+  Selection& selection() { return selection_; }
+  TimeModel& time() { return time_; }
+  QUndoStack& undo_stack() { return undo_stack_; }
+  LiveModel& live() { return live_; }
+
+  /// Where new takes go: the setting, else ~/Limbwave. Made when it does not exist.
+  [[nodiscard]] QString takes_folder() const;
+  void set_takes_folder(const QString& folder);
+
+  /// Shows a workspace ("capture", "calibrate", "solve", "export", "welcome") and there the place of a topic: "record",
+  /// "devices", "sensors", "sensor:2", "line", "disk", "latency", or one of the workspace's own.
+  void reveal(const QString& workspace, const QString& topic = {}) { Q_EMIT reveal_requested(workspace, topic); }
+
+ Q_SIGNALS:
+  void reveal_requested(const QString& workspace, const QString& topic);
+
+ private:
+  StudioServices services_;
+  QSettings settings_;
+  JobRunner jobs_;
+  Notifications notifications_;
+  RecentTakes recent_takes_;
+  TakeDocument document_;
+  Selection selection_;
+  TimeModel time_;
+  QUndoStack undo_stack_;
+  LiveModel live_;
+};
+
+}  // namespace limbwave::ui

@@ -1,0 +1,44 @@
+#include "common/take_document.h"
+
+#include <QFileInfo>
+
+namespace limbwave::ui {
+
+TakeDocument::TakeDocument(const StudioServices& services, JobRunner& jobs, QObject* parent)
+    : QObject(parent), services_(services), jobs_(jobs) {}
+
+QString TakeDocument::name() const {
+  return take_ ? QString::fromStdString(take_->folder.stem().string()) : QString();
+}
+
+void TakeDocument::open(const QString& folder) {
+  if (!services_.open_take) {
+    return;
+  }
+  const std::filesystem::path path(QFileInfo(folder).absoluteFilePath().toStdString());
+  jobs_.compute<take::Take>(
+      tr("Opening %1").arg(QFileInfo(folder).fileName()), this,
+      [open_take = services_.open_take, path](const Progress&) { return open_take(path); },
+      [this, folder](Result<take::Take> result) {
+        if (!result) {
+          Q_EMIT open_failed(folder, result.error());
+          return;
+        }
+        set(std::move(result).value());
+      });
+}
+
+void TakeDocument::set(take::Take take) {
+  const bool other = !take_ || take_->folder != take.folder;
+  take_ = std::make_shared<const take::Take>(std::move(take));
+  Q_EMIT changed(other);
+}
+
+void TakeDocument::close() {
+  if (take_) {
+    take_.reset();
+    Q_EMIT changed(true);
+  }
+}
+
+}  // namespace limbwave::ui

@@ -1,0 +1,42 @@
+/// The take that is open: the studio's document. Title, recent list and every workspace follow it.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <memory>
+
+#include "common/job_runner.h"
+#include "common/studio_services.h"
+#include "take/take.h"
+
+namespace limbwave::ui {
+
+class TakeDocument : public QObject {
+  Q_OBJECT
+ public:
+  TakeDocument(const StudioServices& services, JobRunner& jobs, QObject* parent = nullptr);
+  /// Null while none is open.
+  [[nodiscard]] const std::shared_ptr<const take::Take>& take() const { return take_; }
+  [[nodiscard]] bool is_open() const { return take_ != nullptr; }
+  /// "walk-01" of walk-01.take; empty while none is open.
+  [[nodiscard]] QString name() const;
+  /// Opens in a job; ends in `changed` or `open_failed`.
+  void open(const QString& folder);
+  /// Shows this take, which is already read: after recording, or changed by a calibration. The same folder counts as
+  /// the same take: `changed(false)`.
+  void set(take::Take take);
+  void close();
+
+ Q_SIGNALS:
+  /// `other`: another take than before, so that selections and playheads start anew.
+  void changed(bool other);
+  void open_failed(const QString& folder, const limbwave::Error& error);
+
+ private:
+  const StudioServices& services_;
+  JobRunner& jobs_;
+  std::shared_ptr<const take::Take> take_;
+};
+
+}  // namespace limbwave::ui

@@ -1,0 +1,69 @@
+/// The studio's one window: status strip, mode bar, the workspace, inspector and timeline. Knows workspaces from the
+/// table only.
+#pragma once
+
+#include <QMainWindow>
+#include <vector>
+
+#include "workspaces/workspace.h"
+
+class QActionGroup;
+class QDockWidget;
+class QMenu;
+class QStackedWidget;
+
+namespace limbwave::ui {
+
+class ModeBar;
+class StatusStrip;
+class TakeActions;
+class WelcomePage;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// `context` outlives the window.
+  MainWindow(StudioContext& context, StudioParts parts, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Shows a workspace by its id, "welcome" for the first page. False when there is none of that name.
+  bool show_workspace(const QString& id);
+  [[nodiscard]] QString current_workspace() const;
+  /// The workspace if it has been shown before, else null.
+  [[nodiscard]] Workspace* workspace(const QString& id) const;
+  [[nodiscard]] TakeActions& take_actions() { return *take_actions_; }
+  void show_shortcuts();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void make_actions();
+  void make_docks();
+  void follow_context();
+  void show_index(int index);
+  void update_title();
+  void update_recent_menu();
+  [[nodiscard]] int index_of(const QString& id) const;
+
+  StudioContext& context_;
+  StudioParts parts_;
+  TakeActions* take_actions_;
+  QMenu* take_menu_;
+  QMenu* recent_menu_;
+  QMenu* main_menu_;
+  StatusStrip* strip_ = nullptr;
+  ModeBar* modes_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  WelcomePage* welcome_ = nullptr;
+  std::vector<Workspace*> workspaces_;  ///< By index of the table; null until shown.
+  std::vector<QWidget*> inspectors_;    ///< The same.
+  QDockWidget* inspector_dock_ = nullptr;
+  QDockWidget* timeline_dock_ = nullptr;
+  QStackedWidget* inspector_pages_ = nullptr;
+  int current_ = -1;  ///< −1: the welcome page.
+};
+
+}  // namespace limbwave::ui

@@ -1,0 +1,33 @@
+/// The place of notifications: a line above the workspace, the newest first, each with its remedy and a way to act.
+#pragma once
+
+#include <QWidget>
+
+#include "common/notifications.h"
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace limbwave::ui {
+
+class MessageBar : public QWidget {
+  Q_OBJECT
+ public:
+  MessageBar(Notifications& notifications, QWidget* parent = nullptr);
+  [[nodiscard]] QString text() const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void refresh();
+  Notifications& notifications_;
+  QLabel* icon_;
+  QLabel* text_;
+  QLabel* more_;
+  QPushButton* action_;
+  QToolButton* close_;
+};
+
+}  // namespace limbwave::ui

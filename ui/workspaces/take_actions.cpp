@@ -1,0 +1,147 @@
+#include "workspaces/take_actions.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "common/format.h"
+
+namespace limbwave::ui {
+namespace {
+
+bool is_recording(const QFileInfo& info) {
+  static const QStringList endings{QStringLiteral("wav"),  QStringLiteral("w64"), QStringLiteral("rf64"),
+                                   QStringLiteral("flac"), QStringLiteral("mp3"), QStringLiteral("ogg"),
+                                   QStringLiteral("aiff"), QStringLiteral("aif")};
+  return info.isFile() && endings.contains(info.suffix().toLower());
+}
+
+bool is_take(const QFileInfo& info) {
+  return info.isDir() && (info.suffix() == QLatin1String("take") || QFileInfo::exists(info.filePath() + "/take.json"));
+}
+
+}  // namespace
+
+TakeActions::TakeActions(StudioContext& context, QWidget* window)
+    : QObject(window), context_(context), window_(window) {}
+
+void TakeActions::new_take() {
+  if (!context_.live().recording()) {
+    context_.document().close();
+  }
+  context_.reveal(QStringLiteral("capture"), QStringLiteral("devices"));
+}
+
+void TakeActions::choose_and_open() {
+  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Open a take (a folder that ends in .take)"),
+                                                           context_.takes_folder());
+  if (!folder.isEmpty()) {
+    open(folder);
+  }
+}
+
+void TakeActions::choose_and_import() {
+  const QStringList files = QFileDialog::getOpenFileNames(
+      window_, tr("Import recordings of a sound recorder"), context_.takes_folder(),
+      tr("Recordings (*.wav *.w64 *.rf64 *.flac *.aiff *.aif *.ogg *.mp3);;All files (*)"));
+  if (!files.isEmpty()) {
+    import_files(files);
+  }
+}
+
+void TakeActions::open(const QString& folder) {
+  if (context_.live().recording() || context_.live().finishing()) {
+    context_.notifications().post(Severity::kWarning, tr("A take is being recorded."),
+                                  tr("Stop the recording before another take is opened."));
+    return;
+  }
+  context_.document().open(folder);
+}
+
+void TakeActions::import_files(const QStringList& files) {
+  if (files.isEmpty() || !context_.services().import_recording) {
+    return;
+  }
+  const QString takes = context_.takes_folder();
+  const QString stem = file_name_part(QFileInfo(files.first()).completeBaseName());
+  const QString wanted = stem.isEmpty() ? QStringLiteral("import") : stem;
+  QString name = wanted;
+  for (int n = 2; QFileInfo::exists(QDir(takes).filePath(name + QStringLiteral(".take"))); ++n) {
+    name = QStringLiteral("%1-%2").arg(wanted).arg(n);
+  }
+  const QString folder = QDir(takes).filePath(name + QStringLiteral(".take"));
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files) {
+    paths.emplace_back(file.toStdString());
+  }
+  const QString rig =
+      context_.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
+  const QString title = tr("Importing %1").arg(QFileInfo(files.first()).fileName());
+  context_.jobs().start(
+      title, this,
+      [import_recording = context_.services().import_recording, folder, paths, rig](const Progress& progress) {
+        return import_recording(folder.toStdString(), paths, rig.toStdString(), progress);
+      },
+      [this, title, folder](const Status& status) {
+        if (!status) {
+          context_.notifications().post_error(title, status.error());
+          return;
+        }
+        open(folder);
+      });
+}
+
+void TakeActions::open_demo(const QString& motion) {
+  const QString folder =
+      QDir(context_.takes_folder()).filePath(QStringLiteral("demo-%1.take").arg(file_name_part(motion)));
+  if (QFileInfo::exists(folder)) {
+    open(folder);
+    return;
+  }
+  if (!context_.services().simulate_take) {
+    return;
+  }
+  const QString title = tr("Making the demo take \u201c%1\u201d").arg(motion);
+  context_.jobs().start(
+      title, this,
+      [simulate = context_.services().simulate_take, folder, motion](const Progress& progress) {
+        return simulate(folder.toStdString(), motion.toStdString(), progress);
+      },
+      [this, title, folder](const Status& status) {
+        if (!status) {
+          context_.notifications().post_error(title, status.error());
+          return;
+        }
+        open(folder);
+      });
+}
+
+bool TakeActions::acceptable(const QList<QUrl>& urls) {
+  for (const QUrl& url : urls) {
+    const QFileInfo info(url.toLocalFile());
+    if (url.isLocalFile() && (is_take(info) || is_recording(info))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void TakeActions::handle_drop(const QList<QUrl>& urls) {
+  QStringList recordings;
+  QString take;
+  for (const QUrl& url : urls) {
+    const QFileInfo info(url.toLocalFile());
+    if (is_take(info)) {
+      take = info.filePath();
+    } else if (is_recording(info)) {
+      recordings.append(info.filePath());
+    }
+  }
+  if (!recordings.isEmpty()) {
+    import_files(recordings);
+  } else if (!take.isEmpty()) {
+    open(take);
+  }
+}
+
+}  // namespace limbwave::ui

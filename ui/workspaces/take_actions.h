@@ -1,0 +1,37 @@
+/// What can be done to takes as a whole: new, open, import, demo. Used by menus, the welcome page and drag and drop.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QUrl>
+
+#include "common/studio_context.h"
+
+namespace limbwave::ui {
+
+class TakeActions : public QObject {
+  Q_OBJECT
+ public:
+  /// Dialogs belong to `window`.
+  TakeActions(StudioContext& context, QWidget* window);
+
+  /// Goes to Capture, ready to record.
+  void new_take();
+  void choose_and_open();
+  void choose_and_import();
+  void open(const QString& folder);
+  /// Imports recordings into a new take named after the first, and opens it.
+  void import_files(const QStringList& files);
+  /// Opens the demo take of this motion, simulating it first when it is not on disk yet.
+  void open_demo(const QString& motion);
+
+  /// Sorts what was dropped on the window into recordings to import and take folders to open; false: neither.
+  static bool acceptable(const QList<QUrl>& urls);
+  void handle_drop(const QList<QUrl>& urls);
+
+ private:
+  StudioContext& context_;
+  QWidget* window_;
+};
+
+}  // namespace limbwave::ui
