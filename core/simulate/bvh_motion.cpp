@@ -158,14 +158,25 @@ std::vector<Link> link_segments(const body::Skeleton& skeleton, const body::Skel
   return links;
 }
 
-// A frame that agrees with neither neighbour, while the neighbours agree with each other, is a fault of the file; so is
-// a first frame from which the motion jumps.
-void remove_faults(std::vector<Quaterniond>& R) {
+// A frame that agrees with neither neighbour, while the neighbours agree with each other, is a fault of the file. So is
+// a step from one frame to the next in the middle of slow motion (a flipped solution): it becomes a quick turn.
+void remove_faults(std::vector<Quaterniond>& R, double rate_hz) {
   const auto angle = [&](std::size_t a, std::size_t b) { return geometry::geodesic_angle(R[a], R[b]); };
   for (std::size_t i = 1; i + 1 < R.size(); ++i) {
     const double away = std::min(angle(i - 1, i), angle(i, i + 1));
     if (away > radians(12.0) && away > 3.0 * angle(i - 1, i + 1)) {
       R[i] = R[i - 1].slerp(0.5, R[i + 1]);
+    }
+  }
+  const auto half = static_cast<std::size_t>(std::ceil(0.1 * rate_hz));
+  for (std::size_t i = half + 1; i + half + 2 < R.size(); ++i) {
+    if (angle(i, i + 1) > radians(25.0) && angle(i, i + 1) > 4.0 * std::max(angle(i - 1, i), angle(i + 1, i + 2))) {
+      const Quaterniond before = R[i - half];
+      const Quaterniond after = R[i + 1 + half];
+      for (std::size_t k = 1; k <= 2 * half; ++k) {
+        R[i - half + k] =
+            before.slerp(smooth_step(static_cast<double>(k) / static_cast<double>(2 * half + 1)).v, after);
+      }
     }
   }
 }
@@ -282,7 +293,7 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
     return Error{"has too few frames to move", path.string(), "use a file with at least four"};
   }
   for (auto& R : R_PL) {
-    remove_faults(R);
+    remove_faults(R, rate);
   }
   // To the skeleton's place, looking along +x as it does at rest.
   const Vector3d forward = R_PL.front().front() * (standing(skeleton).front().conjugate() * Vector3d::UnitX());

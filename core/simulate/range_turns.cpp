@@ -9,9 +9,9 @@
 namespace limbwave::simulate {
 namespace {
 
-constexpr double kTurn = 1.5;  // seconds from the rest orientation to the pole and back
+constexpr double kTurn = 2.5;  // seconds from the rest orientation to the pole and back
 constexpr double kSpiralTurns = 4.0;
-constexpr double kSpiralEnd = 28.5;
+constexpr double kSpiralEnd = 29.5;
 constexpr double kHalfCircle = 4.5;
 constexpr double kEnd = kSpiralEnd + 4.0 * kHalfCircle + kTurn;
 
@@ -26,7 +26,7 @@ const Path& path() {
     p.azimuth.key(kTurn, 0.0).key(kSpiralEnd, kSpiralTurns * 2.0 * kPi);
     // At the pole half-way the circle through ±x gives way to the one through ±y.
     const double pole = kSpiralEnd + 2.0 * kHalfCircle;
-    p.azimuth.key(pole - 0.5, kSpiralTurns * 2.0 * kPi).key(pole + 0.5, (kSpiralTurns * 2.0 + 0.5) * kPi);
+    p.azimuth.key(pole - 1.0, kSpiralTurns * 2.0 * kPi).key(pole + 1.0, (kSpiralTurns * 2.0 + 0.5) * kPi);
     p.polar.key(kTurn, 0.0);
     for (int half = 0; half <= 4; ++half) {
       p.polar.key(kSpiralEnd + half * kHalfCircle, (half + 1) * kPi);

@@ -158,10 +158,10 @@ TEST(RangeTurns, CoverTheSphereAndPassExactlyThroughTheAxes) {
   }
   EXPECT_LT((low + Vector3d::Ones()).norm(), 1e-4);
   EXPECT_LT((high - Vector3d::Ones()).norm(), 1e-4);
-  EXPECT_LT(degrees(fastest), 200.0);
+  EXPECT_LT(degrees(fastest), 180.0);  // slowly
   EXPECT_LT(geometry::geodesic_angle(range_rotation(0.0, rest).v, rest), 1e-9);
   EXPECT_LT(geometry::geodesic_angle(range_rotation(range_seconds(), rest).v, rest), 1e-9);
-  // Every direction, on a grid about 12° apart, has been within 20°.
+  // Every direction, on a grid about 12° apart, has been nearly visited.
   for (int k = 0; k < 300; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / 300.0;
     const double a = k * kPi * (3.0 - std::sqrt(5.0));

@@ -107,7 +107,7 @@ TEST(SingleErrors, EachDoesItsOwnAndNothingElse) {
   EXPECT_EQ(changed([](E& e) { e.swapped = true; }), signal);
   EXPECT_EQ(changed([](E& e) { e.knob_time_s = 1, e.knob_factor = 0.5; }), signal);
   EXPECT_EQ(changed([](E& e) { e.silence_time_s = 1, e.silence_duration_s = 0.1; }), signal);
-  EXPECT_EQ(changed([](E& e) { e.drop_every_s = 1, e.drop_frames = 10; }), (Names{"cycles", "signal"}));
+  EXPECT_EQ(changed([](E& e) { e.drop_every_s = 1, e.drop_frames = 10; }), signal);
 }
 
 TEST(SingleErrors, DrawsDoNotDependOnOtherErrors) {
@@ -153,7 +153,7 @@ TEST(SingleErrors, SensorDrawsHaveTheirSpread) {
   EXPECT_NEAR(std::sqrt(offset), 0.1, 0.005);
   EXPECT_NEAR(std::sqrt(gain), 0.05, 0.0025);
   EXPECT_NEAR(std::sqrt(cross), 0.01, 0.0004);
-  EXPECT_LE(largest, 0.3);
+  EXPECT_LE(largest, 0.3 + 1e-12);
   EXPECT_EQ(serials.size(), 1000U);
   EXPECT_TRUE(serials.contains("SIM-7-3"));
 }
