@@ -190,6 +190,7 @@ void RecordingFile::Impl::reopen_as_raw(SF_INFO info, const ContainerLayout& lay
   is_raw = true;
   auto offset = static_cast<sf_count_t>(layout.data_offset);
   sf_command(file, SFC_SET_RAW_START_OFFSET, &offset, sizeof offset);
+  sf_seek(file, 0, SEEK_SET);  // the command alone does not move
   frames = static_cast<std::int64_t>(layout.bytes_there() / static_cast<std::uint64_t>(layout.bytes_per_frame));
 }
 
