@@ -226,9 +226,10 @@ void ExportWorkspace::show_take() {
   if (!ready) {
     const bool open = context_.document().is_open();
     const bool busy = model_.state() == SolveState::kSolving || model_.state() == SolveState::kLoading;
-    empty_->set_texts(!open ? tr("No take is open") : (busy ? tr("The take is being solved") : tr("Nothing is solved yet")),
-                      !open ? tr("Open or capture one first.")
-                            : (busy ? tr("It can be exported in a moment.") : tr("Solve the take first.")));
+    empty_->set_texts(
+        !open ? tr("No take is open") : (busy ? tr("The take is being solved") : tr("Nothing is solved yet")),
+        !open ? tr("Open or capture one first.")
+              : (busy ? tr("It can be exported in a moment.") : tr("Solve the take first.")));
     empty_button_->setVisible(open);
     return;
   }
@@ -355,7 +356,8 @@ void ExportWorkspace::show_result(const Result<ExportResult>& result) {
   show_->setVisible(result.ok());
   if (result) {
     written_ = result->file;
-    result_text_->setText(tr("Written and read back: %1").arg(QString::fromStdString(result->file.filename().string())));
+    result_text_->setText(
+        tr("Written and read back: %1").arg(QString::fromStdString(result->file.filename().string())));
     result_detail_->setText(tr("%1, %2 frames at %3 Hz, %4, %5 bones, in %6")
                                 .arg(size_text(result->bytes), locale().toString(qulonglong(result->frames)),
                                      locale().toString(result->fps, 'g', 6), format_clock_tenths(result->duration_s))
@@ -367,9 +369,8 @@ void ExportWorkspace::show_result(const Result<ExportResult>& result) {
   } else {
     const Error& error = result.error();
     result_text_->setText(tr("Not exported. %1").arg(sentence(error.message)));
-    result_detail_->setText(QStringList{sentence(error.remedy), QString::fromStdString(error.place)}
-                                .join(QLatin1Char('\n'))
-                                .trimmed());
+    result_detail_->setText(
+        QStringList{sentence(error.remedy), QString::fromStdString(error.place)}.join(QLatin1Char('\n')).trimmed());
   }
   result_->show();
 }

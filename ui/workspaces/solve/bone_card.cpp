@@ -122,14 +122,13 @@ void BoneCard::build() {
       turn_to(radians(steps / 10.0), gesture_);
     }
   });
-  connect(set_key_, &QPushButton::clicked, this, [this] {
-    turn_to(model_.keys().value_at(segment_, context_.time().playhead_s()), kNoGesture);
-  });
+  connect(set_key_, &QPushButton::clicked, this,
+          [this] { turn_to(model_.keys().value_at(segment_, context_.time().playhead_s()), kNoGesture); });
   connect(delete_key_, &QPushButton::clicked, this,
           [this] { model_.key_editor().remove(model_.key_editor().selected()); });
-  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-    if (!showing_ && row >= 0 && segment_ >= 0 && segment_ < model_.keys().lane_count()) {
-      const LaneKey key = model_.keys().keys(segment_)[static_cast<std::size_t>(row)];
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int index) {
+    if (!showing_ && index >= 0 && segment_ >= 0 && segment_ < model_.keys().lane_count()) {
+      const LaneKey key = model_.keys().keys(segment_)[static_cast<std::size_t>(index)];
       model_.key_editor().select({{segment_, key.id}});
       context_.time().set_playhead(key.time_s);
     }
@@ -212,8 +211,9 @@ void BoneCard::show_keys() {
       if (model_.key_editor().is_selected({segment_, key.id})) {
         current = static_cast<int>(texts.size());
       }
-      texts << tr("%1    %2°").arg(QString::fromStdString(time_label(key.time_s, 0.001)),
-                                   locale().toString(degrees(key.value), 'f', 1));
+      texts << tr("%1    %2°")
+                   .arg(QString::fromStdString(time_label(key.time_s, 0.001)),
+                        locale().toString(degrees(key.value), 'f', 1));
     }
   }
   while (list_->count() > texts.size()) {

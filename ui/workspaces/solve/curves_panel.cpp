@@ -167,9 +167,7 @@ void CurvesPanel::draw_curve(QPainter& painter, const Row& row, const QRectF& ar
   if (count == 0) {
     return;
   }
-  const auto y = [&](double value) {
-    return area.center().y() - value / kHighest * area.height() / 2;
-  };
+  const auto y = [&](double value) { return area.center().y() - value / kHighest * area.height() / 2; };
   const auto first = std::max<std::ptrdiff_t>(0, index_at(s.begin_s) - 1);
   const auto last = std::min<std::ptrdiff_t>(count - 1, index_at(s.end_s) + 1);
   const auto x = [&](std::ptrdiff_t i) { return s.x(times_[static_cast<std::size_t>(i)]); };
@@ -280,8 +278,8 @@ void CurvesPanel::mouseMoveEvent(QMouseEvent* event) {
 void CurvesPanel::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
   if ((event->modifiers() & Qt::ShiftModifier) != 0 || event->angleDelta().x() != 0) {
-    const double by = -(notches + event->angleDelta().x() / 120.0) * 0.1 *
-                      (time_.visible_end_s() - time_.visible_begin_s());
+    const double by =
+        -(notches + event->angleDelta().x() / 120.0) * 0.1 * (time_.visible_end_s() - time_.visible_begin_s());
     time_.set_visible(time_.visible_begin_s() + by, time_.visible_end_s() + by);
   } else {
     time_.zoom(std::pow(1.25, notches), scale().time(event->position().x()));

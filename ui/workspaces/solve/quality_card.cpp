@@ -109,11 +109,10 @@ void QualityCard::rebuild() {
     grid->addLayout(name, line, 0);
     grid->addWidget(number_label(percent(sensor.usable), content), line, 1);
     grid->addWidget(number_label(percent(sensor.trusted), content), line, 2);
-    grid->addWidget(number_label(sensor.mean_norm_g > 0.0
-                                     ? tr("%1 g").arg(locale().toString(sensor.mean_norm_g, 'f', 3))
-                                     : tr("–"),
-                                 content),
-                    line, 3);
+    grid->addWidget(
+        number_label(sensor.mean_norm_g > 0.0 ? tr("%1 g").arg(locale().toString(sensor.mean_norm_g, 'f', 3)) : tr("–"),
+                     content),
+        line, 3);
     ++line;
   }
   layout->addLayout(grid);
@@ -130,14 +129,14 @@ void QualityCard::rebuild() {
     add_verdict(layout, diagnostic_verdict(report.diagnostics[i]), false, content);
   }
   if (report.diagnostics.size() > shown) {
-    layout->addWidget(dim_label(tr("and %n more finding(s)", nullptr, static_cast<int>(report.diagnostics.size() - shown)),
-                                content));
+    layout->addWidget(
+        dim_label(tr("and %n more finding(s)", nullptr, static_cast<int>(report.diagnostics.size() - shown)), content));
   }
-  QLabel* times = dim_label(tr("%1 of take; decoded in %2 s, solved in %3 s")
-                                .arg(format_clock_tenths(report.take_seconds),
-                                     locale().toString(report.decode_seconds, 'f', 2),
-                                     locale().toString(report.solve_seconds, 'f', 2)),
-                            content);
+  QLabel* times =
+      dim_label(tr("%1 of take; decoded in %2 s, solved in %3 s")
+                    .arg(format_clock_tenths(report.take_seconds), locale().toString(report.decode_seconds, 'f', 2),
+                         locale().toString(report.solve_seconds, 'f', 2)),
+                content);
   times->setWordWrap(true);
   layout->addWidget(times);
 }
@@ -155,9 +154,10 @@ void TruthCard::rebuild() {
     return;
   }
   const evaluate::Evaluation& evaluation = *model_.evaluation();
-  auto* headline = new QLabel(tr("Inclination error %1")
-                                  .arg(error_text(evaluation.all.inclination_mean_deg, evaluation.all.inclination_max_deg)),
-                              content);
+  auto* headline =
+      new QLabel(tr("Inclination error %1")
+                     .arg(error_text(evaluation.all.inclination_mean_deg, evaluation.all.inclination_max_deg)),
+                 content);
   headline->setWordWrap(true);
   layout->addWidget(headline);
   QGridLayout* grid = table({tr("Bone"), tr("mean"), tr("max"), tr("position")}, content);
@@ -169,8 +169,10 @@ void TruthCard::rebuild() {
     }
     const evaluate::ErrorStatistics& error = found->second;
     grid->addWidget(new ElidedLabel(QString::fromStdString(segment.name), content), line, 0);
-    grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_mean_deg, 'f', 2)), content), line, 1);
-    grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_max_deg, 'f', 1)), content), line, 2);
+    grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_mean_deg, 'f', 2)), content), line,
+                    1);
+    grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_max_deg, 'f', 1)), content), line,
+                    2);
     grid->addWidget(number_label(tr("%1 mm").arg(locale().toString(error.position_mean_mm, 'f', 0)), content), line, 3);
     ++line;
   }

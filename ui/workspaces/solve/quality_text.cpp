@@ -92,7 +92,8 @@ Verdict line_verdict(const decode::LineInStatus& line) {
             Quality::tr("Look at the events on the timeline for when, and check plugs and levels.")};
   }
   if (line.clipped_slots > 0) {
-    return {Tone::kWarning, Quality::tr("%1 readings touched full scale.").arg(QLocale().toString(qlonglong(line.clipped_slots))),
+    return {Tone::kWarning,
+            Quality::tr("%1 readings touched full scale.").arg(QLocale().toString(qlonglong(line.clipped_slots))),
             Quality::tr("Turn the recording level down before the next take.")};
   }
   return {Tone::kGood, Quality::tr("The line was heard without loss."), {}};
@@ -104,13 +105,15 @@ std::vector<QString> line_facts(const decode::LineInStatus& line) {
     facts.push_back(Quality::tr("%1 readings a second, clock jitter %2 %")
                         .arg(number(line.cycle_rate_hz, 2), number(100 * line.clock_jitter, 2)));
   }
-  facts.push_back(Quality::tr("%1 cycles heard, %2 lost")
-                      .arg(QLocale().toString(qlonglong(line.cycles)), QLocale().toString(qlonglong(line.lost_cycles))));
+  facts.push_back(
+      Quality::tr("%1 cycles heard, %2 lost")
+          .arg(QLocale().toString(qlonglong(line.cycles)), QLocale().toString(qlonglong(line.lost_cycles))));
   if (line.left_coupling_hz > 0) {
-    facts.push_back(line.coupling_sd_hz > 0
-                        ? Quality::tr("Coupling of the sound card %1 ± %2 Hz, undone")
-                              .arg(number(line.left_coupling_hz, 2), number(line.coupling_sd_hz, 2))
-                        : Quality::tr("Coupling of the sound card %1 Hz, undone").arg(number(line.left_coupling_hz, 2)));
+    facts.push_back(
+        line.coupling_sd_hz > 0
+            ? Quality::tr("Coupling of the sound card %1 ± %2 Hz, undone")
+                  .arg(number(line.left_coupling_hz, 2), number(line.coupling_sd_hz, 2))
+            : Quality::tr("Coupling of the sound card %1 Hz, undone").arg(number(line.left_coupling_hz, 2)));
   }
   if (line.noise > 0) {
     facts.push_back(Quality::tr("Noise %1 dB").arg(number(20 * std::log10(line.noise), 0)));

@@ -35,8 +35,8 @@ class ChangeLengthCommand : public QUndoCommand {
 /// Other settings, which need a new solve.
 class ChangeSettingsCommand : public QUndoCommand {
  public:
-  ChangeSettingsCommand(SolveModel& model, solve::SolveSettings before, solve::SolveSettings after,
-                        const QString& text, int gesture)
+  ChangeSettingsCommand(SolveModel& model, solve::SolveSettings before, solve::SolveSettings after, const QString& text,
+                        int gesture)
       : QUndoCommand(text), model_(model), before_(std::move(before)), after_(std::move(after)), gesture_(gesture) {}
   void redo() override { model_.set_settings(after_); }
   void undo() override { model_.set_settings(before_); }

@@ -55,10 +55,7 @@ SolveModel& SolveModel::of(StudioContext& context) {
 }
 
 SolveModel::SolveModel(StudioContext& context, SolveServices services)
-    : QObject(&context),
-      context_(context),
-      services_(std::move(services)),
-      key_editor_(keys_, context.undo_stack()) {
+    : QObject(&context), context_(context), services_(std::move(services)), key_editor_(keys_, context.undo_stack()) {
   for (QTimer* timer : {&solve_soon_, &save_soon_}) {
     timer->setSingleShot(true);
   }

@@ -66,13 +66,12 @@ std::vector<body::SegmentPose> truth_pose(const evaluate::Truth& truth, const bo
       continue;
     }
     const auto after = std::upper_bound(known->times.begin(), known->times.end(), take_time_s);
-    const auto b = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(after - known->times.begin(), 0, static_cast<std::ptrdiff_t>(known->times.size()) - 1));
+    const auto b = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+        after - known->times.begin(), 0, static_cast<std::ptrdiff_t>(known->times.size()) - 1));
     const std::size_t a = b > 0 ? b - 1 : 0;
     const double span = known->times[b] - known->times[a];
     const double part = span > 0.0 ? std::clamp((take_time_s - known->times[a]) / span, 0.0, 1.0) : 0.0;
-    poses[i] = {known->R_WL[a].slerp(part, known->R_WL[b]),
-                known->p_WL[a] + part * (known->p_WL[b] - known->p_WL[a])};
+    poses[i] = {known->R_WL[a].slerp(part, known->R_WL[b]), known->p_WL[a] + part * (known->p_WL[b] - known->p_WL[a])};
   }
   return poses;
 }

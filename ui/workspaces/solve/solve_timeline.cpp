@@ -49,8 +49,9 @@ void show_take(StudioContext& context, SolveModel& model, TimelineCanvas& canvas
 }
 
 void show_hint(SolveModel& model, TimelineCanvas& canvas) {
-  canvas.set_hint(model.solve() ? SolveTimeline::tr("Select a bone, then press I to key its rotation about the vertical.")
-                                : SolveTimeline::tr("Keys of the bones appear here once a take is solved."));
+  canvas.set_hint(model.solve()
+                      ? SolveTimeline::tr("Select a bone, then press I to key its rotation about the vertical.")
+                      : SolveTimeline::tr("Keys of the bones appear here once a take is solved."));
 }
 
 }  // namespace
@@ -85,14 +86,13 @@ QWidget* make_solve_timeline(StudioContext& context, QWidget* parent) {
       context.selection().select(SelectionKind::kSegment, context.selection().item().index);
     }
   });
-  QObject::connect(&context.selection(), &Selection::changed, timeline,
-                   [&model, timeline](const SelectedItem& item) {
-                     const int segment = segment_of_selection(item, model);
-                     timeline->set_current_lane(model.has_sensor(segment) ? segment : -1);
-                     if (item.kind != SelectionKind::kHeadingKey && item.kind != SelectionKind::kMarker) {
-                       model.key_editor().select({});
-                     }
-                   });
+  QObject::connect(&context.selection(), &Selection::changed, timeline, [&model, timeline](const SelectedItem& item) {
+    const int segment = segment_of_selection(item, model);
+    timeline->set_current_lane(model.has_sensor(segment) ? segment : -1);
+    if (item.kind != SelectionKind::kHeadingKey && item.kind != SelectionKind::kMarker) {
+      model.key_editor().select({});
+    }
+  });
   return timeline;
 }
 

@@ -236,8 +236,9 @@ void SolveWorkspace::show_state() {
       remedy[0] = remedy[0].toUpper();
     }
     const QString place = QString::fromStdString(error.place);
-    empty_->set_texts(tr("This take could not be solved"),
-                      QStringList{what, remedy, place}.filter(QRegularExpression(QStringLiteral("\\S"))).join(QStringLiteral("\n")));
+    empty_->set_texts(
+        tr("This take could not be solved"),
+        QStringList{what, remedy, place}.filter(QRegularExpression(QStringLiteral("\\S"))).join(QStringLiteral("\n")));
     empty_button_->setText(tr("Try again"));
   }
   if (live_) {
