@@ -33,8 +33,9 @@ void LiveModel::fail(const Error& error) {
   remedy_ = QString::fromStdString(error.remedy);
 }
 
-bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig, double rate_hz) {
-  if (recording_ || finishing_ || !services_.open_device || !services_.load_rig || !services_.make_live) {
+bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig,
+                     const QString& subject, double rate_hz) {
+  if (recording_ || starting_ || finishing_ || !services_.open_device || !services_.load_rig || !services_.make_live) {
     return false;
   }
   close();
@@ -42,7 +43,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   device_title_ = device_title;
   problem_.clear();
   remedy_.clear();
-  Result<solve::LiveSettings> settings = services_.load_rig(rig);
+  Result<solve::LiveSettings> settings = services_.load_rig(rig, subject.toStdString());
   if (!settings) {
     fail(settings.error());
     set_state(LiveState::kOff);
@@ -84,7 +85,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
 }
 
 void LiveModel::close() {
-  if (recording_ || finishing_) {
+  if (recording_ || starting_ || finishing_) {
     return;
   }
   ++opening_;
@@ -109,7 +110,7 @@ void LiveModel::close() {
 }
 
 void LiveModel::poll() {
-  if (!backend_ || finishing_) {
+  if (!backend_) {
     return;
   }
   std::shared_ptr<const solve::LiveSnapshot> next = backend_->snapshot();
@@ -135,27 +136,38 @@ void LiveModel::poll() {
 }
 
 bool LiveModel::start_recording(const std::filesystem::path& folder, const QString& subject) {
-  if (!backend_ || recording_ || finishing_) {
+  if (!backend_ || recording_ || starting_ || finishing_) {
     return false;
   }
-  if (Status status = backend_->start_recording(folder, subject.toStdString()); !status) {
-    fail(status.error());
-    Q_EMIT recording_failed(problem_, remedy_);
-    return false;
-  }
-  recording_ = true;
-  Q_EMIT recording_changed();
+  starting_ = true;
+  jobs_.start(
+      tr("Making the take"), this,
+      [backend = backend_, folder, name = subject.toStdString()](const Progress&) {
+        return backend->start_recording(folder, name);
+      },
+      [this](const Status& status) {
+        starting_ = false;
+        if (!status) {
+          fail(status.error());
+          Q_EMIT recording_failed(problem_, remedy_);
+          return;
+        }
+        recording_ = true;
+        Q_EMIT recording_changed();
+      });
   return true;
 }
 
 void LiveModel::stop_recording() {
-  if (!recording_ || !backend_) {
-    return;
+  if (recording_ && backend_) {
+    end_recording();
   }
+}
+
+void LiveModel::end_recording() {
   recording_ = false;
   finishing_ = true;
   Q_EMIT recording_changed();
-  // The session's functions are called by one thread at a time: polling rests until the take is closed.
   jobs_.compute<take::Take>(
       tr("Closing the take"), this, [backend = backend_](const Progress&) { return backend->stop_recording(); },
       [this](Result<take::Take> result) {
@@ -179,14 +191,14 @@ void LiveModel::mark(const QString& text) {
 
 void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {
   settings_.calibration = calibration;
-  if (backend_ && !finishing_) {
+  if (backend_) {
     backend_->set_calibration(calibration);
   }
 }
 
 void LiveModel::set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) {
   settings_.solve.headings = headings;
-  if (backend_ && !finishing_) {
+  if (backend_) {
     backend_->set_headings(headings);
   }
 }
