@@ -52,6 +52,8 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& plac
     const std::size_t last_newline = end == 0 ? std::string_view::npos : text.rfind('\n', end - 1);
     const std::size_t column = last_newline == std::string_view::npos ? end + 1 : end - last_newline;
     return Error{"is not valid JSON", fmt::format("{}:{}:{}", place, line, column), "correct it there"};
+  } catch (const nlohmann::json::exception&) {  // a number beyond the range of double
+    return Error{"is not valid JSON: it holds a number that is too large", place, "correct it there"};
   }
 }
 
@@ -115,6 +117,14 @@ double JsonReader::number(double minimum, double maximum) const {
 std::int64_t JsonReader::integer(std::int64_t minimum, std::int64_t maximum) const {
   if (!value_->is_number_integer()) {
     fail("is not a whole number");
+    return minimum;
+  }
+  // Whole numbers beyond int64 are kept as unsigned ones.
+  const bool fits =
+      !value_->is_number_unsigned() ||
+      value_->get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (!fits) {
+    fail(fmt::format("is {}, outside {} to {}", value_->get<std::uint64_t>(), minimum, maximum));
     return minimum;
   }
   const auto number = value_->get<std::int64_t>();

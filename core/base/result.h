@@ -44,7 +44,7 @@ class [[nodiscard]] Result {
   const T* operator->() const { return &value(); }
 
   /// The reason; asserts that there is one.
-  [[nodiscard]] const Error& error() const { return assert(!ok()), *std::get_if<1>(&content_); }
+  [[nodiscard]] const Error& error() const { return assert(!ok()), std::get<1>(content_); }
 
  private:
   std::variant<T, Error> content_;

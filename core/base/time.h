@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <limits>
 
 namespace limbwave {
 
@@ -58,7 +59,13 @@ struct SampleRate {
   [[nodiscard]] constexpr Seconds seconds(SampleIndex index) const { return {static_cast<double>(index.value) / hz}; }
   [[nodiscard]] constexpr Seconds seconds(SampleCount count) const { return {static_cast<double>(count.value) / hz}; }
   /// The last sample at or before `time`, for times after the start of the take.
-  [[nodiscard]] constexpr SampleIndex index(Seconds time) const { return {static_cast<std::int64_t>(time.value * hz)}; }
+  /// A time that a sample falls on but for rounding is that sample's: index(seconds(i)) == i.
+  [[nodiscard]] constexpr SampleIndex index(Seconds time) const {
+    const double samples = time.value * hz;
+    const auto below = static_cast<std::int64_t>(samples);
+    const auto next = static_cast<double>(below + 1);
+    return {next - samples <= 4.0 * std::numeric_limits<double>::epsilon() * next ? below + 1 : below};
+  }
 };
 
 }  // namespace limbwave

@@ -84,14 +84,11 @@ Matrix3d right_jacobian_inverse(const Vector3d& phi) {
   return left_jacobian_inverse(-phi);
 }
 
-Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to, const Vector3d& fallback_axis) {
-  const double scale = from.norm() * to.norm();
-  if (!(scale > 0.0)) {
-    return Quaterniond::Identity();
-  }
-  const Vector3d a = from.normalized();
-  const Vector3d b = to.normalized();
-  const Vector3d half = a + b;  // half-way direction: accurate until the two are opposite
+namespace {
+
+// For unit vectors.
+Quaterniond unit_shortest_arc(const Vector3d& a, const Vector3d& b, const Vector3d& fallback_axis) {
+  const Vector3d half = a + b;  // half-way direction: accurate until the two are nearly opposite
   const double n = half.norm();
   if (n > 1e-7) {
     const Vector3d h = half / n;
@@ -106,6 +103,28 @@ Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to, const Vector3
   }
   axis.normalize();
   return {0.0, axis.x(), axis.y(), axis.z()};
+}
+
+bool has_direction(const Vector3d& v) {
+  const double length = v.stableNorm();
+  return length > 0.0 && std::isfinite(length);
+}
+
+}  // namespace
+
+Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to, const Vector3d& fallback_axis) {
+  if (!has_direction(from) || !has_direction(to)) {
+    return Quaterniond::Identity();
+  }
+  const Vector3d a = from.stableNormalized();
+  const Vector3d b = to.stableNormalized();
+  Quaterniond q = unit_shortest_arc(a, b, fallback_axis);
+  if (a.dot(b) < 0.0) {
+    // The small arc that rounding left open: (nearly) opposite directions meet exactly too.
+    q = unit_shortest_arc(q * a, b, fallback_axis) * q;
+    q.normalize();
+  }
+  return q;
 }
 
 double geodesic_angle(const Quaterniond& R1, const Quaterniond& R2) {

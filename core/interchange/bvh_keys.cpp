@@ -1,0 +1,144 @@
+#include "interchange/bvh_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/units.h"
+
+namespace limbwave::interchange {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+// Joints whose position channels move less than this are rigid for all that anybody can see.
+constexpr double kRigid = 1e-3;
+
+}  // namespace
+
+BvhKeys::BvhKeys(const std::vector<BvhJoint>& joints, const std::vector<Quaterniond>& R_WL_rest, UpAxis up,
+                 double scale)
+    : up_(up), scale_(scale), plans_(joints.size()) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    Plan& plan = plans_[i];
+    plan.first = first;
+    plan.channels = joints[i].channels;
+    plan.count = joints[i].channel_count;
+    plan.offset = joints[i].offset;
+    plan.L = R_WL_rest[i];
+    plan.P_inverse = joints[i].parent < 0 ? Quaterniond::Identity()
+                                          : R_WL_rest[static_cast<std::size_t>(joints[i].parent)].conjugate();
+    for (std::size_t c = 0; c < plan.count; ++c) {
+      (plan.channels[c] < BvhChannel::kXRotation ? plan.moves : plan.turns) = true;
+    }
+    first += plan.count;
+  }
+  channels_ = first;
+}
+
+void BvhKeys::reserve(std::size_t frames) {
+  for (Plan& plan : plans_) {
+    if (plan.turns) {
+      plan.rotations.reserve(frames);
+    }
+  }
+}
+
+void BvhKeys::add(const std::vector<double>& values) {
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    Plan& plan = plans_[i];
+    if (plan.turns) {
+      const Quaterniond R = to_world_axes(rotation(plan, values), up_);
+      plan.rotations.push_back((plan.P_inverse * R * plan.L).normalized());
+    }
+    if (plan.moves) {
+      const Vector3d p = position(plan, values);
+      if (i == 0) {
+        root_.push_back(to_world_axes(p, up_) * scale_);
+      } else {
+        plan.sum += p;
+        plan.lowest = plan.lowest.cwiseMin(p);
+        plan.highest = plan.highest.cwiseMax(p);
+      }
+    }
+  }
+  ++frames_;
+}
+
+void BvhKeys::finish(motion::Clip& clip, double frame_time, Diagnostics& diagnostics) {
+  std::vector<double> times(frames_);
+  for (std::size_t i = 0; i < frames_; ++i) {
+    times[i] = static_cast<double>(i) * frame_time;
+  }
+  clip.joints.resize(plans_.size());
+  double worst = 0.0;
+  std::size_t worst_joint = 0;
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    Plan& plan = plans_[i];
+    if (plan.turns && frames_ > 0) {
+      clip.joints[i].rotation.values = std::move(plan.rotations);
+      clip.joints[i].rotation.times = times;
+    }
+    if (plan.moves && i > 0 && frames_ > 0) {
+      // Most programs write the whole position, some what is added to OFFSET: what lies nearer is meant.
+      const Vector3d mean = plan.sum / static_cast<double>(frames_);
+      const bool added = mean.norm() < (mean - plan.offset).norm();
+      clip.skeleton.segments[i].p_PL =
+          plan.P_inverse * to_world_axes(Vector3d(added ? plan.offset + mean : mean), up_) * scale_;
+      const double movement = (plan.highest - plan.lowest).norm() * scale_;
+      if (movement > worst) {
+        worst = movement;
+        worst_joint = i;
+      }
+    }
+  }
+  if (!root_.empty()) {
+    clip.root_position.values = std::move(root_);
+    clip.root_position.times = std::move(times);
+  }
+  if (worst > kRigid) {
+    diagnostics.push_back(
+        {Severity::kWarning, "bvh.joint-slides",
+         fmt::format("joints move within their parents, \"{}\" by {:.1f} mm; bones are taken as rigid",
+                     clip.skeleton.segments[worst_joint].name, worst * 1e3),
+         "", ""});
+  }
+}
+
+Quaterniond BvhKeys::rotation(const Plan& plan, const std::vector<double>& values) {
+  Quaterniond R = Quaterniond::Identity();
+  for (std::size_t c = 0; c < plan.count; ++c) {
+    if (plan.channels[c] < BvhChannel::kXRotation) {
+      continue;
+    }
+    const double half = 0.5 * radians(values[plan.first + c]);
+    const double cosine = std::cos(half);
+    const double sine = std::sin(half);
+    // R times the rotation about one axis, without the products that are zero.
+    if (plan.channels[c] == BvhChannel::kXRotation) {
+      R = {R.w() * cosine - R.x() * sine, R.x() * cosine + R.w() * sine, R.y() * cosine + R.z() * sine,
+           R.z() * cosine - R.y() * sine};
+    } else if (plan.channels[c] == BvhChannel::kYRotation) {
+      R = {R.w() * cosine - R.y() * sine, R.x() * cosine - R.z() * sine, R.y() * cosine + R.w() * sine,
+           R.z() * cosine + R.x() * sine};
+    } else {
+      R = {R.w() * cosine - R.z() * sine, R.x() * cosine + R.y() * sine, R.y() * cosine - R.x() * sine,
+           R.z() * cosine + R.w() * sine};
+    }
+  }
+  return R;
+}
+
+Vector3d BvhKeys::position(const Plan& plan, const std::vector<double>& values) {
+  Vector3d p = plan.offset;  // stays where a component has no channel
+  for (std::size_t c = 0; c < plan.count; ++c) {
+    if (plan.channels[c] < BvhChannel::kXRotation) {
+      p[static_cast<int>(plan.channels[c])] = std::clamp(values[plan.first + c], -kBvhLargestLength, kBvhLargestLength);
+    }
+  }
+  return p;
+}
+
+}  // namespace limbwave::interchange

@@ -1,0 +1,13 @@
+/// Frame rates that files give as rounded frame times.
+#pragma once
+
+#include <string_view>
+
+namespace limbwave::interchange {
+
+/// The rate in hertz that a frame time of `seconds`, written as `digits`, means: a common rate (film, television,
+/// motion capture) when it lies within the rounding of the digits and within 0.3 %, else 1 / seconds. So "0.0083333" is
+/// 120 Hz and "0.0333" is 30 Hz, while "0.03" stays 33.3 Hz.
+double frame_rate_from_text(double seconds, std::string_view digits);
+
+}  // namespace limbwave::interchange
