@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "common/format.h"
+
 namespace limbwave::ui {
 
 double steady_now_s() {
@@ -29,8 +31,11 @@ void LiveModel::set_state(LiveState state) {
 }
 
 void LiveModel::fail(const Error& error) {
-  problem_ = QString::fromStdString(error.place.empty() ? error.message : error.place + ": " + error.message);
-  remedy_ = QString::fromStdString(error.remedy);
+  // The place is the device's id, which tells people nothing that the title does not, or a file.
+  const bool is_device = error.place == device_id_.toStdString();
+  problem_ = as_sentence(
+      QString::fromStdString(error.place.empty() || is_device ? error.message : error.place + ": " + error.message));
+  remedy_ = as_sentence(QString::fromStdString(error.remedy));
 }
 
 bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig,
@@ -121,7 +126,7 @@ void LiveModel::poll() {
   const bool had_error = snapshot_ && !snapshot_->recording_error.empty();
   snapshot_ = std::move(next);
   if (recording_ && !had_error && !snapshot_->recording_error.empty()) {
-    Q_EMIT recording_failed(QString::fromStdString(snapshot_->recording_error), {});
+    Q_EMIT recording_failed(as_sentence(QString::fromStdString(snapshot_->recording_error)), {});
     stop_recording();
   }
   if (was_alive && !snapshot_->source_alive) {
@@ -130,6 +135,7 @@ void LiveModel::poll() {
     if (recording_) {
       stop_recording();
     }
+    Q_EMIT source_lost();
     Q_EMIT state_changed();
   }
   Q_EMIT snapshot_changed();

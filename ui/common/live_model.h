@@ -64,6 +64,7 @@ class LiveModel : public QObject {
   void snapshot_changed();
   void recording_changed();
   void marked(const QString& text);
+  void source_lost();  ///< The device is gone; `problem()` says so.
   void recording_finished(const limbwave::take::Take& take);
   void recording_failed(const QString& text, const QString& remedy);
 

@@ -12,12 +12,12 @@
 namespace limbwave::ui {
 namespace {
 
-constexpr double kLeft = 8, kRight = 8, kTitle = 18, kSlots = 20, kGap = 8;
+constexpr double kTitle = 18, kSlots = 20, kGap = 6;
 
 }  // namespace
 
 struct ScopeView::Bands {
-  QRectF slot_row, data, clock;
+  QRectF sensor_row, slot_row, data, clock;
 };
 
 ScopeView::ScopeView(QWidget* parent) : QWidget(parent) {
@@ -48,6 +48,7 @@ double ScopeView::peak(int channel) const {
 }
 
 void ScopeView::set_snapshot(std::shared_ptr<const solve::LiveSnapshot> snapshot) {
+  const bool first = snapshot_ == nullptr;
   snapshot_ = std::move(snapshot);
   for (int channel = 0; channel < 2 && snapshot_; ++channel) {
     // Grows at once, shrinks only after two quiet seconds: a scale that hunts cannot be read.
@@ -55,7 +56,7 @@ void ScopeView::set_snapshot(std::shared_ptr<const solve::LiveSnapshot> snapshot
     const double wanted = scope_range(peak(channel));
     quiet_.at(at) = wanted < range_.at(at) ? quiet_.at(at) + 1 : 0;
     constexpr int kTwoSeconds = 60;
-    if (wanted > range_.at(at) || quiet_.at(at) > kTwoSeconds) {
+    if (first || wanted > range_.at(at) || quiet_.at(at) > kTwoSeconds) {
       range_.at(at) = wanted;
       quiet_.at(at) = 0;
     }
@@ -64,11 +65,12 @@ void ScopeView::set_snapshot(std::shared_ptr<const solve::LiveSnapshot> snapshot
 }
 
 ScopeView::Bands ScopeView::bands() const {
-  const double top = kTitle + kSlots, height_left = height() - top - kGap - kTitle;
+  // From top to bottom: caption, sensors, slots, accelerations; gap, caption, clock.
+  const double top = 2 * kTitle + kSlots, height_left = height() - top - kGap - kTitle;
   const double data_height = std::floor(height_left * 0.66);
-  const double inner = width() - kLeft - kRight;
-  return {QRectF(kLeft, kTitle, inner, kSlots), QRectF(kLeft, top, inner, data_height),
-          QRectF(kLeft, top + data_height + kGap + kTitle, inner, height_left - data_height)};
+  const double inner = width();
+  return {QRectF(0, kTitle, inner, kTitle), QRectF(0, 2 * kTitle, inner, kSlots), QRectF(0, top, inner, data_height),
+          QRectF(0, top + data_height + kGap + kTitle, inner, height_left - data_height)};
 }
 
 void ScopeView::paint_ground(QPainter& painter, const QRectF& band) const {
@@ -101,10 +103,10 @@ void ScopeView::paint_slots(QPainter& painter, const Bands& areas, const ScopeWi
     const double from = x.to_pixel(start + sensor * 3 * slot);
     const double to = x.to_pixel(start + std::min(slot_count_, sensor * 3 + 3) * slot);
     painter.setPen(theme.line);
-    painter.drawLine(QPointF(from, 2), QPointF(from, areas.data.bottom()));
+    painter.drawLine(QPointF(from, areas.sensor_row.top() + 2), QPointF(from, areas.data.bottom()));
     painter.setPen(reference ? theme.dim : series_color(theme, sensor));
     const QString name = reference ? tr("ref") : QStringLiteral("%1  %2").arg(sensor + 1).arg(sensors_.value(sensor));
-    painter.drawText(QRectF(from + 4, 0, to - from - 6, kTitle), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(from + 4, areas.sensor_row.top(), to - from - 6, kTitle), Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(to - from - 6)));
   }
 }
@@ -182,18 +184,16 @@ void ScopeView::paintEvent(QPaintEvent*) {
   painter.setPen(theme.dim);
   const QString data_title = swapped ? tr("Right channel: accelerations (swapped)") : tr("Left channel: accelerations");
   const QString clock_title = swapped ? tr("Left channel: clock (swapped)") : tr("Right channel: clock");
-  const auto caption = [&](const QRectF& band, const QString& left, const QString& right) {
-    const QRectF row(band.left() + 6, band.bottom() - 18, band.width() - 12, 16);
+  const auto caption = [&](double top, const QString& left, const QString& right) {
+    const QRectF row(0, top, width(), kTitle);
     painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, left);
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, right);
   };
-  caption(areas.data, data_title, any ? note(swapped ? 1 : 0) : QString());
-  const QRectF clock_row(areas.clock.left() + 6, areas.clock.top() - kTitle, areas.clock.width() - 12, kTitle);
-  painter.drawText(clock_row, Qt::AlignLeft | Qt::AlignVCenter, clock_title);
-  painter.drawText(clock_row, Qt::AlignRight | Qt::AlignVCenter, any ? note(swapped ? 0 : 1) : QString());
+  caption(0, data_title, any ? note(swapped ? 1 : 0) : QString());
+  caption(areas.clock.top() - kTitle, clock_title, any ? note(swapped ? 0 : 1) : QString());
   if (any && !window.cycle) {
     painter.setPen(theme.warning);
-    painter.drawText(areas.slot_row.united(QRectF(areas.data.left(), 0, areas.data.width(), 1)), Qt::AlignCenter,
+    painter.drawText(areas.slot_row.united(areas.sensor_row), Qt::AlignCenter,
                      tr("not in step with the board: the picture runs free, slots are not known"));
   } else if (!any) {
     painter.drawText(areas.data, Qt::AlignCenter, tr("no signal"));

@@ -167,7 +167,8 @@ void SensorStrips::paint_strip(QPainter& painter, int sensor, int axis) const {
   }
   painter.save();
   painter.setClipRect(area);
-  painter.setPen(QPen(series_color(theme, sensor), 1));
+  painter.setRenderHint(QPainter::Antialiasing, true);
+  painter.setPen(QPen(series_color(theme, sensor), 1.25));
   painter.drawPolyline(decimated_line(times, values, x, y));
   painter.restore();
   const double last = values.back();

@@ -162,7 +162,7 @@ void CaptureWorkspace::follow_state() {
     empty_->set_texts(model_.searching() ? tr("Looking for devices") : tr("Opening %1").arg(live.device_title()), {});
   } else if (!live.problem().isEmpty()) {
     empty_->set_texts(tr("%1 cannot be opened").arg(live.device_title()),
-                      live.problem() + QLatin1String(". ") + live.remedy());
+                      live.problem() + QLatin1Char(' ') + live.remedy());
   } else if (!model_.search_problem().isEmpty()) {
     empty_->set_texts(tr("The sound system does not answer"), model_.search_problem());
   } else if (others) {

@@ -4,6 +4,7 @@
 #include "workspaces/capture/capture_model.h"
 #include "workspaces/workspace.h"
 
+class QPushButton;
 class QScrollArea;
 class QStackedWidget;
 

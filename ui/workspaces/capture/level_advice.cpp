@@ -51,6 +51,11 @@ std::vector<Advice> level_advice(const solve::LiveSnapshot* snapshot) {
     advice.push_back({Tone::kUnknown, LevelAdvice::tr("No device is open"), LevelAdvice::tr("Choose one above.")});
     return advice;
   }
+  if (!snapshot->source_alive) {
+    advice.push_back({Tone::kDanger, LevelAdvice::tr("The device has stopped sending"),
+                      LevelAdvice::tr("Plug it in again, look for devices again, and choose it once more.")});
+    return advice;
+  }
   // The decoder's findings of the last seconds, each once, the newest words of it.
   std::set<std::string> seen;
   for (auto finding = snapshot->diagnostics.rbegin(); finding != snapshot->diagnostics.rend(); ++finding) {
@@ -58,13 +63,9 @@ std::vector<Advice> level_advice(const solve::LiveSnapshot* snapshot) {
     if (!fresh || finding->severity == Severity::kInfo || !seen.insert(finding->code).second) {
       continue;
     }
-    QString title = QString::fromStdString(finding->message);
-    title.replace(0, title.isEmpty() ? 0 : 1, title.left(1).toUpper());
-    QString remedy = QString::fromStdString(finding->remedy);
-    remedy.replace(0, remedy.isEmpty() ? 0 : 1, remedy.left(1).toUpper());
-    if (!remedy.isEmpty() && !remedy.endsWith(QLatin1Char('.'))) {
-      remedy += QLatin1Char('.');
-    }
+    QString title = as_sentence(QString::fromStdString(finding->message));
+    title.chop(1);
+    const QString remedy = as_sentence(QString::fromStdString(finding->remedy));
     advice.push_back({finding->severity == Severity::kError ? Tone::kDanger : Tone::kWarning, title, remedy});
   }
   const Advice levels = LevelAdvice::from_levels(snapshot->line);

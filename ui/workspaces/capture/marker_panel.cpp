@@ -19,7 +19,9 @@ MarkerPanel::MarkerPanel(StudioContext& context, CaptureModel& model, QWidget* p
   list_->setAccessibleName(tr("Markers"));
   list_->setFont(tabular(list_->font()));
   list_->setMinimumHeight(8 * kGrid);
-  list_->setTextElideMode(Qt::ElideRight);
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  hint_->setAlignment(Qt::AlignTop);
   mark_->setObjectName(QStringLiteral("marker_button"));
   mark_->setIcon(icon(QStringLiteral("marker")));
   mark_->setToolTip(tr("Set a marker at this moment of the recording (M)"));

@@ -1,6 +1,6 @@
 #include "workspaces/capture/record_panel.h"
 
-#include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -85,6 +85,13 @@ void RecordPanel::focus_record() {
   record_->setFocus();
 }
 
+void RecordPanel::changeEvent(QEvent* event) {
+  Card::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    refresh();
+  }
+}
+
 void RecordPanel::choose_folder() {
   const QString folder = QFileDialog::getExistingDirectory(window(), tr("Folder for takes"), context_.takes_folder());
   if (!folder.isEmpty()) {
@@ -110,6 +117,9 @@ void RecordPanel::refresh() {
   record_->setEnabled(recording ? !busy : model_.can_record());
   subject_->setEnabled(!recording && !busy);
   name_->setEnabled(!recording && !busy);
+  if (subject_->text() != model_.subject()) {
+    subject_->setText(model_.subject());
+  }
   if (name_->text() != model_.take_name()) {
     name_->setText(model_.take_name());
     name_->setCursorPosition(0);

@@ -55,6 +55,12 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   connect(&model_, &CaptureModel::setup_changed, this, &SourceBar::refresh);
   connect(&context_.live(), &LiveModel::state_changed, this, &SourceBar::refresh);
   connect(&context_.live(), &LiveModel::recording_changed, this, &SourceBar::refresh);
+  connect(&context_.live(), &LiveModel::snapshot_changed, this, [this] {
+    // The format is known with the first samples.
+    if (format_->text().isEmpty() || context_.live().snapshot() == nullptr) {
+      refresh();
+    }
+  });
   refresh();
 }
 
@@ -82,9 +88,7 @@ void SourceBar::refresh() {
   devices_->setEnabled(free);
   rigs_->setEnabled(free && rigs_->count() > 0);
   refresh_->setEnabled(free && !model_.searching());
-  if (live.state() == LiveState::kOpening) {
-    format_->setText(tr("opening…"));
-  } else if (live.snapshot() && live.running()) {
+  if (live.snapshot() && live.running()) {
     format_->setText(tr("%1, %2 bit").arg(format_rate(live.snapshot()->format.rate.hz))
                          .arg(8 * acquire::bytes_per_sample(live.snapshot()->format.type)));
   } else {
