@@ -111,8 +111,9 @@ class ScreenshotsTest : public QObject {
                           "turn the recording volume up", "", 0.0}};
     StudioFixture studio(fake_services(line));
     open(studio, "portaudio:ALSA:card");
-    studio.context->notifications().post(Severity::kError, QStringLiteral("walk-03.take cannot be opened: take.json is cut off at byte 212."),
-                                         QStringLiteral("Run “limbwave recover walk-03.take”."));
+    studio.context->notifications().post(
+        Severity::kError, QStringLiteral("walk-03.take cannot be opened: take.json is cut off at byte 212."),
+        QStringLiteral("Run “limbwave recover walk-03.take”."));
     shoot(*studio.window, QStringLiteral("capture-errors"));
   }
 

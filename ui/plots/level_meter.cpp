@@ -39,7 +39,7 @@ void LevelMeter::paintEvent(QPaintEvent*) {
   painter.setPen(theme.text);
   painter.setFont(tabular(font()));
   painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter,
-                   clipping_      ? tr("clips")
+                   clipping_     ? tr("clips")
                    : peak_ < 0.0 ? QStringLiteral("–")
                                  : format_level(peak_));
   const QRectF bar(0, 22, width(), 8);
@@ -50,7 +50,9 @@ void LevelMeter::paintEvent(QPaintEvent*) {
   zone.setAlphaF(0.22F);
   painter.fillRect(QRectF(from, bar.top(), to - from, bar.height()), zone);
   if (peak_ > 0.0) {
-    const QColor color = clipping_ ? theme.danger : peak_ < kLevelTooLow || peak_ > kLevelTooHigh ? theme.warning : theme.good;
+    const QColor color = clipping_                                       ? theme.danger
+                         : peak_ < kLevelTooLow || peak_ > kLevelTooHigh ? theme.warning
+                                                                         : theme.good;
     painter.fillRect(QRectF(0, bar.top() + 2, level_position(peak_) * bar.width(), bar.height() - 4), color);
   }
   painter.setPen(theme.dim);

@@ -103,7 +103,8 @@ void OverviewView::paintEvent(QPaintEvent*) {
   for (const double tick : ticks(time.value_begin, time.value_end, step)) {
     const double at = std::floor(time.to_pixel(tick)) + 0.5;
     painter.drawLine(QPointF(at, band.bottom()), QPointF(at, band.bottom() + 4));
-    const QString text = step >= 1.0 ? format_clock(tick) : QLocale().toString(tick, 'f', step >= 0.1 ? 1 : 3) + tr(" s");
+    const QString text =
+        step >= 1.0 ? format_clock(tick) : QLocale().toString(tick, 'f', step >= 0.1 ? 1 : 3) + tr(" s");
     painter.drawText(QPointF(at + 3, height() - 5), text);
   }
 }

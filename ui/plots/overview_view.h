@@ -1,4 +1,5 @@
-/// The recorded signal of the open take, drawn from its min/max pyramid: scrolls and zooms an hour as easily as a second.
+/// The recorded signal of the open take, drawn from its min/max pyramid: scrolls and zooms an hour as easily as a
+/// second.
 #pragma once
 
 #include <QWidget>

@@ -41,13 +41,13 @@ double scope_range(double peak);
 
 /// What the scope shows: a piece of the stream that begins shortly before slot 0 of one cycle, so that it stands still.
 struct ScopeWindow {
-  double first_sample = 0.0, last_sample = 0.0;     ///< Shown, in samples of the stream.
-  std::optional<decode::LineInCycle> cycle;         ///< Empty: no sync; the newest piece runs free.
-  double period = 0.0;                              ///< Samples of the cycle; 0 without sync.
+  double first_sample = 0.0, last_sample = 0.0;  ///< Shown, in samples of the stream.
+  std::optional<decode::LineInCycle> cycle;      ///< Empty: no sync; the newest piece runs free.
+  double period = 0.0;                           ///< Samples of the cycle; 0 without sync.
 };
 
-/// The newest cycle that lies wholly within the `frames` samples from `first_sample` on, with a little before and after;
-/// without one the newest `free_samples`.
+/// The newest cycle that lies wholly within the `frames` samples from `first_sample` on, with a little before and
+/// after; without one the newest `free_samples`.
 ScopeWindow scope_window(const std::vector<decode::LineInCycle>& cycles, double first_sample, std::size_t frames,
                          double free_samples);
 

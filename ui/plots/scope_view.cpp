@@ -118,8 +118,10 @@ void ScopeView::paint_channel(QPainter& painter, const QRectF& band, const Scope
   const AxisMap y{-range, range, band.bottom(), band.top()};
   const double first = snapshot_->scope_first_sample;
   const auto frames = static_cast<std::int64_t>(snapshot_->scope.size() / 2);
-  const auto begin = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(window.first_sample - first)), 0, frames);
-  const auto end = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(window.last_sample - first)), 0, frames);
+  const auto begin =
+      std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(window.first_sample - first)), 0, frames);
+  const auto end =
+      std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(window.last_sample - first)), 0, frames);
   painter.save();
   painter.setClipRect(band);
   // One stroke per stretch of one colour; a sample at the border belongs to both.
@@ -170,7 +172,8 @@ void ScopeView::paintEvent(QPaintEvent*) {
   ScopeWindow window;
   if (any) {
     const double free_samples = snapshot_->format.rate.hz * 0.02;
-    window = scope_window(snapshot_->scope_cycles, snapshot_->scope_first_sample, snapshot_->scope.size() / 2, free_samples);
+    window =
+        scope_window(snapshot_->scope_cycles, snapshot_->scope_first_sample, snapshot_->scope.size() / 2, free_samples);
     const AxisMap x{window.first_sample, window.last_sample, areas.data.left(), areas.data.right()};
     painter.save();
     painter.setClipRect(QRectF(areas.data.left(), 0, areas.data.width(), height()));

@@ -35,7 +35,8 @@ class ScopeView : public QWidget {
   struct Bands;
   [[nodiscard]] Bands bands() const;
   void paint_slots(QPainter& painter, const Bands& bands, const ScopeWindow& window, const AxisMap& x) const;
-  void paint_channel(QPainter& painter, const QRectF& band, const ScopeWindow& window, const AxisMap& x, int channel, bool slots_known) const;
+  void paint_channel(QPainter& painter, const QRectF& band, const ScopeWindow& window, const AxisMap& x, int channel,
+                     bool slots_known) const;
   void paint_ground(QPainter& painter, const QRectF& band) const;
   [[nodiscard]] double peak(int channel) const;
 

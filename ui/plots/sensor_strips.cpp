@@ -49,7 +49,8 @@ SensorStrips::SensorStrips(QWidget* parent) : QWidget(parent) {
 }
 
 QSize SensorStrips::minimumSizeHint() const {
-  return {600, static_cast<int>(kHeader + kFooter + 48.0 * static_cast<double>(std::max<qsizetype>(1, sensors_.size())))};
+  return {600,
+          static_cast<int>(kHeader + kFooter + 48.0 * static_cast<double>(std::max<qsizetype>(1, sensors_.size())))};
 }
 
 void SensorStrips::set_sensors(const QStringList& names) {
@@ -122,9 +123,10 @@ void SensorStrips::paint_card(QPainter& painter, int sensor) const {
   painter.setPen(theme.text);
   const double line = painter.fontMetrics().height();
   const QRectF title(area.left() + 14, area.top() + 5, area.width() - 14 - 30, line);
-  painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
-                   painter.fontMetrics().elidedText(QStringLiteral("%1  %2").arg(sensor + 1).arg(sensors_.value(sensor)),
-                                                    Qt::ElideRight, static_cast<int>(title.width())));
+  painter.drawText(
+      title, Qt::AlignLeft | Qt::AlignVCenter,
+      painter.fontMetrics().elidedText(QStringLiteral("%1  %2").arg(sensor + 1).arg(sensors_.value(sensor)),
+                                       Qt::ElideRight, static_cast<int>(title.width())));
   painter.drawPixmap(QPointF(area.right() - 26, area.top() + 5),
                      icon_pixmap(tone_icon(tone), tone_color(palette(), tone), 16, devicePixelRatioF()));
   QFont small = font();
@@ -246,10 +248,10 @@ bool SensorStrips::event(QEvent* event) {
     for (int sensor = 0; sensor < static_cast<int>(sensors_.size()); ++sensor) {
       const auto at = static_cast<std::size_t>(sensor);
       if (row(sensor).contains(help->pos()) && snapshot_ && at < snapshot_->health.size()) {
-        QToolTip::showText(help->globalPos(),
-                           QStringLiteral("%1: %2").arg(sensors_.value(sensor),
-                                                        QString::fromStdString(snapshot_->health[at].text)),
-                           this);
+        QToolTip::showText(
+            help->globalPos(),
+            QStringLiteral("%1: %2").arg(sensors_.value(sensor), QString::fromStdString(snapshot_->health[at].text)),
+            this);
         return true;
       }
     }

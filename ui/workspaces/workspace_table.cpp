@@ -15,16 +15,15 @@ struct Workspaces {
 
 StudioParts studio_parts() {
   StudioParts parts;
-  parts.workspaces.push_back(
-      {.id = QStringLiteral("capture"),
-       .title = Workspaces::tr("Capture"),
-       .hint = Workspaces::tr("Choose a device, check levels, record"),
-       .icon = QStringLiteral("capture"),
-       .timeline = false,
-       .shortcuts = CaptureWorkspace::shortcuts(),
-       .create = [](StudioContext& context, QWidget* parent) -> Workspace* {
-         return new CaptureWorkspace(context, parent);
-       }});
+  parts.workspaces.push_back({.id = QStringLiteral("capture"),
+                              .title = Workspaces::tr("Capture"),
+                              .hint = Workspaces::tr("Choose a device, check levels, record"),
+                              .icon = QStringLiteral("capture"),
+                              .timeline = false,
+                              .shortcuts = CaptureWorkspace::shortcuts(),
+                              .create = [](StudioContext& context, QWidget* parent) -> Workspace* {
+                                return new CaptureWorkspace(context, parent);
+                              }});
   return parts;
 }
 

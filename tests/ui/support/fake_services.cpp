@@ -245,7 +245,8 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
     take.folder = folder;
     return take;
   };
-  services.simulate_take = [](const std::filesystem::path& folder, const std::string&, const Progress& progress) -> Status {
+  services.simulate_take = [](const std::filesystem::path& folder, const std::string&,
+                              const Progress& progress) -> Status {
     // Slow on purpose, so that it can be watched and cancelled.
     for (int i = 0; i < 200; ++i) {
       if (!progress.report(i / 200.0, "simulating")) {

@@ -13,17 +13,17 @@ namespace limbwave::ui::testing {
 
 /// What the made-up line does; may be changed at any time by the test.
 struct FakeLine {
-  double level = 0.4;             ///< Peak of the left channel, fraction of full scale.
+  double level = 0.4;  ///< Peak of the left channel, fraction of full scale.
   bool locked = true;
   bool swapped = false;
   bool alive = true;
-  int dead_sensor = -1;           ///< This one sends nothing.
+  int dead_sensor = -1;  ///< This one sends nothing.
   int clipping_sensor = -1;
   double disk_left_s = 23 * 3600.0;
   std::uint64_t overflows = 0;
-  Diagnostics diagnostics;        ///< Findings of the decoder; their time is set to now.
-  bool fail_open = false;         ///< The device refuses to open.
-  bool fail_recording = false;    ///< The folder cannot be made.
+  Diagnostics diagnostics;      ///< Findings of the decoder; their time is set to now.
+  bool fail_open = false;       ///< The device refuses to open.
+  bool fail_recording = false;  ///< The folder cannot be made.
   bool no_devices = false;
   std::vector<std::string> marks;  ///< What was marked.
   int opened = 0;                  ///< How often a device was opened.

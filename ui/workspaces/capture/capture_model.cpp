@@ -98,8 +98,8 @@ QString CaptureModel::take_name_problem() const {
 
 bool CaptureModel::can_record() const {
   const LiveModel& live = context_.live();
-  return live.running() && live.snapshot() && live.snapshot()->source_alive && !live.recording() &&
-         !live.finishing() && take_name_problem().isEmpty();
+  return live.running() && live.snapshot() && live.snapshot()->source_alive && !live.recording() && !live.finishing() &&
+         take_name_problem().isEmpty();
 }
 
 void CaptureModel::refresh_devices() {

@@ -191,8 +191,8 @@ void CaptureWorkspace::announce(const take::Take& take) {
       take.info.format.rate.hz > 0.0 ? static_cast<double>(take.info.frames) / take.info.format.rate.hz : 0.0;
   context_.notifications().post(
       Severity::kInfo,
-      tr("%1 is recorded: %2.").arg(QString::fromStdString(take.folder.stem().string()), format_clock_tenths(seconds)), {},
-      tr("Solve it"), [this] { context_.reveal(QStringLiteral("solve")); });
+      tr("%1 is recorded: %2.").arg(QString::fromStdString(take.folder.stem().string()), format_clock_tenths(seconds)),
+      {}, tr("Solve it"), [this] { context_.reveal(QStringLiteral("solve")); });
 }
 
 void CaptureWorkspace::reveal(const QString& topic) {

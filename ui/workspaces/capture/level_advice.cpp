@@ -33,7 +33,8 @@ Advice LevelAdvice::from_levels(const decode::LineInStatus& line) {
     return {Tone::kUnknown, tr("Listening"), tr("The line is being judged; this takes about a second.")};
   }
   if (data > kLevelTooHigh) {
-    return {Tone::kWarning, tr("Too high"), tr("Turn the recording volume down a little, or quick movements will clip.")};
+    return {Tone::kWarning, tr("Too high"),
+            tr("Turn the recording volume down a little, or quick movements will clip.")};
   }
   if (data < kLevelTooLow) {
     return {Tone::kWarning, tr("Too low"),

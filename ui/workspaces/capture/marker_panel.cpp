@@ -45,7 +45,8 @@ void MarkerPanel::refresh() {
   const QSignalBlocker block(list_);
   list_->clear();
   for (const MarkerRow& marker : model_.markers()) {
-    auto* item = new QListWidgetItem(QStringLiteral("%1   %2").arg(format_clock_tenths(marker.time_s), marker.text), list_);
+    auto* item =
+        new QListWidgetItem(QStringLiteral("%1   %2").arg(format_clock_tenths(marker.time_s), marker.text), list_);
     item->setToolTip(marker.text);
   }
   list_->scrollToBottom();

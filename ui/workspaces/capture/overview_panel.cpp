@@ -37,7 +37,8 @@ void OverviewPanel::follow_take(bool other) {
   title_->set_text(facts.join(QStringLiteral("  ·  ")));
   std::vector<OverviewMark> marks;
   for (const take::TakeEvent& event : take->events) {
-    marks.push_back({info.format.rate.seconds(event.sample).value, QString::fromStdString(event.text), event.kind != "marker"});
+    marks.push_back(
+        {info.format.rate.seconds(event.sample).value, QString::fromStdString(event.text), event.kind != "marker"});
   }
   view_->set_marks(std::move(marks));
   if (!other) {

@@ -109,7 +109,7 @@ void RecordPanel::refresh() {
   record_->setAccessibleName(recording ? tr("Stop recording") : tr("Record"));
   const ThemeColors& theme = theme_colors(palette());
   record_->setIcon(QIcon(icon_pixmap(recording ? QStringLiteral("stop") : QStringLiteral("record"),
-                                     recording                ? theme.text
+                                     recording             ? theme.text
                                      : model_.can_record() ? theme.accent_text
                                                            : theme.dim,
                                      20, devicePixelRatioF())));
@@ -129,8 +129,8 @@ void RecordPanel::refresh() {
   name_problem_->setText(problem);
   name_problem_->setVisible(!problem.isEmpty());
   folder_->set_text(context_.takes_folder());
-  record_->setToolTip(recording                          ? tr("Stop recording and close the take (R)")
-                      : model_.can_record()              ? tr("Record a new take (R)")
+  record_->setToolTip(recording                             ? tr("Stop recording and close the take (R)")
+                      : model_.can_record()                 ? tr("Record a new take (R)")
                       : live.state() != LiveState::kRunning ? tr("Choose a device first")
                                                             : problem);
   refresh_time();
@@ -145,13 +145,13 @@ void RecordPanel::refresh_time() {
   if (recording && snapshot && snapshot->counters.overflows > 0) {
     state_->setText(tr("Recording, but samples are being lost"));
   } else {
-    state_->setText(recording                                   ? tr("Recording")
-                    : live.finishing()                          ? tr("Closing the take")
-                    : live.starting()                           ? tr("Making the take")
-                    : model_.can_record()                       ? tr("Ready")
-                    : live.state() == LiveState::kOpening       ? tr("Opening the device")
+    state_->setText(recording                             ? tr("Recording")
+                    : live.finishing()                    ? tr("Closing the take")
+                    : live.starting()                     ? tr("Making the take")
+                    : model_.can_record()                 ? tr("Ready")
+                    : live.state() == LiveState::kOpening ? tr("Opening the device")
                     : live.state() == LiveState::kRunning ? tr("Not ready")
-                                                                : tr("No device"));
+                                                          : tr("No device"));
   }
   double left = snapshot ? snapshot->disk_left_s : 0.0;
   if (!(left > 0.0)) {

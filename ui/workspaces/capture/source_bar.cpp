@@ -89,7 +89,8 @@ void SourceBar::refresh() {
   rigs_->setEnabled(free && rigs_->count() > 0);
   refresh_->setEnabled(free && !model_.searching());
   if (live.snapshot() && live.running()) {
-    format_->setText(tr("%1, %2 bit").arg(format_rate(live.snapshot()->format.rate.hz))
+    format_->setText(tr("%1, %2 bit")
+                         .arg(format_rate(live.snapshot()->format.rate.hz))
                          .arg(8 * acquire::bytes_per_sample(live.snapshot()->format.type)));
   } else {
     format_->clear();
