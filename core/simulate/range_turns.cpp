@@ -1,7 +1,9 @@
 #include "simulate/range_turns.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "base/units.h"
 #include "simulate/curve.h"
@@ -11,35 +13,59 @@ namespace {
 
 constexpr double kTurn = 2.5;  // seconds from the rest orientation to the pole and back
 constexpr double kSpiralTurns = 4.0;
-constexpr double kSpiralEnd = 29.5;
-constexpr double kHalfCircle = 4.5;
-constexpr double kEnd = kSpiralEnd + 4.0 * kHalfCircle + kTurn;
+constexpr double kSpeed = radians(45.0);      // of gravity across the sphere, 1/s: slow enough to feel nothing else
+constexpr double kSpinLimit = radians(90.0);  // of the azimuth near the poles, 1/s
+constexpr double kRate_hz = 50.0;
+constexpr double kPass_hz = 1.5;  // softens the corners between the legs of the path
 
-// Polar angle and azimuth of "up" as the sensor sees it.
+// Polar angle and azimuth of "up" as the sensor sees it: at constant speed down a spiral, then along the great circles
+// through ±x and through ±y.
 struct Path {
-  Curve polar, azimuth;
+  SampledCurve polar, azimuth;
+  double end = 0.0;
 };
 
-const Path& path() {
-  static const Path path = [] {
-    Path p;
-    p.azimuth.key(kTurn, 0.0).key(kSpiralEnd, kSpiralTurns * 2.0 * kPi);
-    // At the pole half-way the circle through ±x gives way to the one through ±y.
-    const double pole = kSpiralEnd + 2.0 * kHalfCircle;
-    p.azimuth.key(pole - 1.0, kSpiralTurns * 2.0 * kPi).key(pole + 1.0, (kSpiralTurns * 2.0 + 0.5) * kPi);
-    p.polar.key(kTurn, 0.0);
-    for (int half = 0; half <= 4; ++half) {
-      p.polar.key(kSpiralEnd + half * kHalfCircle, (half + 1) * kPi);
+Path make_path() {
+  std::vector<double> polar;
+  std::vector<double> azimuth;
+  const auto hold = [&](double seconds, double p, double a) {
+    for (int i = 0; i < static_cast<int>(seconds * kRate_hz); ++i) {
+      polar.push_back(p);
+      azimuth.push_back(a);
     }
-    return p;
-  }();
+  };
+  hold(kTurn, 0.0, 0.0);
+  constexpr double per_polar = 2.0 * kSpiralTurns;  // radians of azimuth a radian of polar angle
+  double p = 0.0;
+  while (p < kPi) {
+    polar.push_back(p);
+    azimuth.push_back(per_polar * p);
+    p += std::min(kSpeed / std::hypot(1.0, per_polar * std::sin(p)), kSpinLimit / per_polar) / kRate_hz;
+  }
+  // From the lower pole up through +x to the upper one, where a quarter turn leads over to the circle through ±y.
+  const double first_circle = per_polar * kPi;
+  for (p = kPi; p < 5.0 * kPi; p += kSpeed / kRate_hz) {
+    polar.push_back(p);
+    const double quarter = std::clamp((p - 2.75 * kPi) / (0.5 * kPi), 0.0, 1.0);
+    azimuth.push_back(first_circle + 0.5 * kPi * quarter);
+  }
+  hold(kTurn, 5.0 * kPi, first_circle + 0.5 * kPi);
+  Path path;
+  path.end = static_cast<double>(polar.size() - 1) / kRate_hz;
+  path.polar = SampledCurve(polar, kRate_hz, kPass_hz);
+  path.azimuth = SampledCurve(azimuth, kRate_hz, kPass_hz);
+  return path;
+}
+
+const Path& path() {
+  static const Path path = make_path();
   return path;
 }
 
 }  // namespace
 
 double range_seconds() {
-  return kEnd;
+  return path().end;
 }
 
 QuaternionJet range_rotation(double time_s, const Quaterniond& R_WS_rest) {
@@ -47,10 +73,10 @@ QuaternionJet range_rotation(double time_s, const Quaterniond& R_WS_rest) {
       rotation(Vector3d::UnitZ(), path().azimuth.at(time_s)) * rotation(Vector3d::UnitY(), path().polar.at(time_s));
   QuaternionJet rest;
   rest.v = R_WS_rest;
-  if (time_s < 0.5 * kEnd) {
+  if (time_s < 0.5 * path().end) {
     return blend(rest, conjugate(R_SW), smooth_step(time_s, 0.0, kTurn));
   }
-  return blend(conjugate(R_SW), rest, smooth_step(time_s, kEnd - kTurn, kTurn));
+  return blend(conjugate(R_SW), rest, smooth_step(time_s, path().end - kTurn, kTurn));
 }
 
 Vector3d range_jerk(double time_s) {

@@ -2,6 +2,8 @@
 #include <QCoreApplication>
 
 #include "workspaces/capture/capture_workspace.h"
+#include "workspaces/solve/solve_entries.h"
+#include "workspaces/solve/solve_timeline.h"
 #include "workspaces/workspace.h"
 
 namespace limbwave::ui {
@@ -24,6 +26,10 @@ StudioParts studio_parts() {
                               .create = [](StudioContext& context, QWidget* parent) -> Workspace* {
                                 return new CaptureWorkspace(context, parent);
                               }});
+  parts.workspaces.push_back(solve_entry());
+  parts.workspaces.push_back(export_entry());
+  parts.timeline = make_solve_timeline;
+  parts.timeline_shortcuts = timeline_shortcuts();
   return parts;
 }
 
