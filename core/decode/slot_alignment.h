@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "decode/line_in.h"
@@ -18,7 +19,10 @@ struct AccelerationFrame {
   bool gap_before = false;
 };
 
-/// Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
+/// One frame per cycle, at the middle of the cycle. Every axis is interpolated by AlignmentKernel; near gaps, invalid
+/// cycles and clipped values by the polynomial through what is good in the three cycles before, this one and the two
+/// after. Never across gaps. A frame of an unusable sensor carries values interpolated from its neighbours, for
+/// drawing. Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
 class SlotAligner {
  public:
   SlotAligner(int sensors, SampleRate rate) : sensors_(sensors), rate_(rate) {}
@@ -28,10 +32,11 @@ class SlotAligner {
 
  private:
   void emit(std::size_t index);
+  [[nodiscard]] double interpolate(std::size_t index, std::size_t slot, double instant) const;
   int sensors_;
   SampleRate rate_;
-  std::vector<LineInCycle> window_;
-  std::size_t next_ = 0;
+  std::deque<LineInCycle> window_;  // contiguous cycles
+  std::size_t next_ = 0;            // the first one not given out yet
   std::vector<AccelerationFrame> frames_;
 };
 

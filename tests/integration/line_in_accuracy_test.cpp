@@ -13,6 +13,7 @@ using testing_support::ErrorFigures;
 using testing_support::require;
 using testing_support::SensorTruth;
 using testing_support::simulated;
+using testing_support::still_pose_errors;
 using testing_support::TemporaryFolder;
 using testing_support::wire_errors;
 using testing_support::WireErrors;
@@ -24,31 +25,6 @@ simulate::SimulateSettings settings(const std::string& motion, const std::string
   s.errors = require(simulate::load_errors(errors));
   s.seed = seed;
   return s;
-}
-
-// Inclination of every sensor's segment while poses are held, against the truth.
-ErrorFigures still_pose_errors(const take::Take& take, const solve::Solve& solve) {
-  const evaluate::Truth truth = require(evaluate::load_truth(take.folder / "truth.json"));
-  const SensorTruth felt(take.folder);
-  const double origin = take.info.format.rate.seconds(take.info.capture().first).value;
-  ErrorFigures figures;
-  const std::vector<std::vector<Eigen::Quaterniond>> R_WL = solve::world_orientations(solve.clip);
-  const std::vector<double>& times = solve.clip.joints.front().rotation.times;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double time = origin + times[i];
-    if (!felt.holding(time)) {
-      continue;
-    }
-    for (std::size_t s = 0; s < solve.clip.skeleton.segments.size(); ++s) {
-      const auto& segment = truth.segments.at(s);
-      const auto nearest = static_cast<std::size_t>(std::lower_bound(segment.times.begin(), segment.times.end(), time) -
-                                                    segment.times.begin());
-      const Eigen::Vector3d up_true = segment.R_WL.at(nearest).conjugate() * Eigen::Vector3d::UnitZ();
-      const Eigen::Vector3d up_found = R_WL[i][s].conjugate() * Eigen::Vector3d::UnitZ();
-      figures.add(degrees(geometry::angle_between(up_true, up_found)));
-    }
-  }
-  return figures;
 }
 
 TEST(LineInAccuracy, WithoutErrorsAccelerationsAreExact) {
