@@ -50,10 +50,11 @@ function(limbwave_add_library name)
   add_library(limbwave::${name} ALIAS limbwave_${name})
 endfunction()
 
-# limbwave_add_test(NAME SOURCES ... DEPENDS ... [LABELS slow interop] [QT] [ENVIRONMENT ...] [TIMEOUT seconds])
-# makes one GoogleTest program, or with QT one Qt Test program that runs under its own Xvfb.
+# limbwave_add_test(NAME SOURCES ... DEPENDS ... [LABELS slow interop] [QT] [SERIAL] [ENVIRONMENT ...] [TIMEOUT seconds])
+# makes one GoogleTest program, or with QT one Qt Test program that runs under its own Xvfb. SERIAL: no other test runs
+# beside it, because it works in real time.
 function(limbwave_add_test name)
-  cmake_parse_arguments(ARG "QT" "TIMEOUT" "SOURCES;DEPENDS;LABELS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "QT;SERIAL" "TIMEOUT" "SOURCES;DEPENDS;LABELS;ENVIRONMENT" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -72,10 +73,11 @@ function(limbwave_add_test name)
     target_link_libraries(${name} PRIVATE Qt6::Test)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     add_test(NAME ${name} COMMAND "${CMAKE_SOURCE_DIR}/tests/support/with_display.sh" $<TARGET_FILE:${name}>)
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
+      RUN_SERIAL ${ARG_SERIAL})
   else()
     target_link_libraries(${name} PRIVATE GTest::gmock GTest::gtest GTest::gtest_main)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
-      PROPERTIES ENVIRONMENT "${environment}" TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+      PROPERTIES ENVIRONMENT "${environment}" TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" RUN_SERIAL ${ARG_SERIAL})
   endif()
 endfunction()

@@ -38,8 +38,8 @@ TEST(WavToBvh, ThroughTheCommandLine) {
   const auto times = [&](const std::string& name) {
     for (const nlohmann::json& segment : info.at("segments")) {
       if (segment.at("name") == name) {
-        const double first = segment.at("first_sample").get<double>() / rate;
-        const double count = segment.at("sample_count").get<double>() / rate;
+        const double first = segment.at("first").get<double>() / rate;
+        const double count = segment.at("count").get<double>() / rate;
         return std::pair{std::to_string(first), std::to_string(first + count)};
       }
     }
