@@ -6,6 +6,7 @@
 #include "acquire/sound_card.h"
 #include "body/rig.h"
 #include "body/skeleton.h"
+#include "common/motion_names.h"
 #include "simulate/simulate.h"
 #include "solve/live_session.h"
 #include "solve/take_calibration.h"
@@ -43,7 +44,7 @@ class SessionBackend : public LiveBackend {
 };
 
 std::string simulator_title(const std::string& motion) {
-  return CoreServices::tr("Simulator: %1").arg(QString::fromStdString(motion)).toStdString();
+  return CoreServices::tr("Simulator: %1").arg(motion_title(QString::fromStdString(motion))).toStdString();
 }
 
 Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
