@@ -16,6 +16,12 @@ decode::LineInFormat line_in_format(const body::LineInSignal& signal) {
   return format;
 }
 
+bool saturated(const body::LineInSignal& signal, const Eigen::Vector3d& volts) {
+  constexpr double kNear = 0.985;  // noise must not hide it
+  const double zero = signal.zero_g_volts - signal.reference_volts;
+  return ((volts.array() - zero).abs() > kNear * signal.volts_per_g * signal.range_g).any();
+}
+
 FrontEnd::FrontEnd(const body::Rig& rig, SampleRate rate, const decode::LineInParameters& parameters)
     : decoder_(line_in_format(rig.line_in), rate, parameters), aligner_(line_in_format(rig.line_in).sensors(), rate) {}
 

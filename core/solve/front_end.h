@@ -15,6 +15,9 @@ namespace limbwave::solve {
 /// The decoder's view of the board that the rig file describes.
 decode::LineInFormat line_in_format(const body::LineInSignal& signal);
 
+/// True where an axis reads the end of the sensor's range, by the data sheet: the true force may be anything beyond.
+bool saturated(const body::LineInSignal& signal, const Eigen::Vector3d& volts);
+
 class FrontEnd {
  public:
   FrontEnd(const body::Rig& rig, SampleRate rate, const decode::LineInParameters& parameters);

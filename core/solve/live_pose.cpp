@@ -1,12 +1,14 @@
 #include "solve/live_pose.h"
 
 #include "solve/compose.h"
+#include "solve/front_end.h"
 
 namespace limbwave::solve {
 
 LivePose::LivePose(const body::Rig& rig, body::Skeleton skeleton, calibrate::RigCalibration calibration,
                    const SolveSettings& settings)
-    : skeleton_(std::move(skeleton)),
+    : signal_(rig.line_in),
+      skeleton_(std::move(skeleton)),
       calibration_(std::move(calibration)),
       headings_(settings.headings),
       segments_(sensor_segments(rig, skeleton_)),
@@ -26,7 +28,7 @@ void LivePose::push(const decode::AccelerationFrame& frame) {
     const auto segment = static_cast<std::size_t>(segments_[s]);
     const estimate::ForceSample sample{frame.time_s,
                                        calibration_.mounts[s].R_LS * calibration_.sensors[s].apply(frame.volts[s]),
-                                       (frame.usable >> s & 1U) != 0};
+                                       (frame.usable >> s & 1U) != 0 && !saturated(signal_, frame.volts[s])};
     const estimate::Inclination inclination = trackers_[s].push(sample);
     if (inclination.known) {
       R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, R_WL_[segment]);

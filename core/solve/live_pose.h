@@ -29,6 +29,7 @@ class LivePose {
   [[nodiscard]] const calibrate::RigCalibration& calibration() const { return calibration_; }
 
  private:
+  body::LineInSignal signal_;
   body::Skeleton skeleton_;
   calibrate::RigCalibration calibration_;
   std::vector<std::vector<HeadingKey>> headings_;

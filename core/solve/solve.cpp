@@ -10,6 +10,7 @@
 #include "calibrate/gain_check.h"
 #include "solve/compose.h"
 #include "solve/decoded_take.h"
+#include "solve/front_end.h"
 #include "solve/take_calibration.h"
 
 namespace limbwave::solve {
@@ -18,14 +19,14 @@ namespace {
 using Frames = std::span<const decode::AccelerationFrame>;
 
 // Calibrated readings of one sensor in its limb's frame.
-std::vector<estimate::ForceSample> forces(Frames frames, std::size_t sensor,
+std::vector<estimate::ForceSample> forces(Frames frames, std::size_t sensor, const body::LineInSignal& signal,
                                           const calibrate::RigCalibration& calibration) {
   std::vector<estimate::ForceSample> samples;
   samples.reserve(frames.size());
   for (const decode::AccelerationFrame& frame : frames) {
     samples.push_back({frame.time_s,
                        calibration.mounts[sensor].R_LS * calibration.sensors[sensor].apply(frame.volts[sensor]),
-                       (frame.usable >> sensor & 1U) != 0});
+                       (frame.usable >> sensor & 1U) != 0 && !saturated(signal, frame.volts[sensor])});
   }
   return samples;
 }
@@ -123,7 +124,7 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
     if (segments[s] < 0) {
       continue;
     }
-    const std::vector<estimate::ForceSample> samples = forces(frames, s, chosen->calibration);
+    const std::vector<estimate::ForceSample> samples = forces(frames, s, take.info.rig.line_in, chosen->calibration);
     const std::vector<estimate::Inclination> inclinations =
         estimate::estimate_inclinations(samples, settings.smoothing, parameters);
     inclined[static_cast<std::size_t>(segments[s])] = estimate::orientations(inclinations);

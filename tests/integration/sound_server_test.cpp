@@ -1,5 +1,5 @@
-/// Real accelerations as five sensors, played by a real PulseAudio server into a null sink and captured by PortAudio for
-/// three minutes: no sample is lost, and the inclination is what the same recordings give without the wire.
+/// Real accelerations as five sensors, played by a real PulseAudio server into a null sink and captured by PortAudio
+/// for three minutes: no sample is lost, and the inclination is what the same recordings give without the wire.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,8 +82,8 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
   live.rig = played.info.rig;
   live.skeleton = played.info.skeleton;
   live.calibration = calibrate::nominal_calibration(live.rig);
-  solve::LiveSession session(
-      require(acquire::open_sound_card(test::PulseServer::capture_id(), played.info.format)), live);
+  solve::LiveSession session(require(acquire::open_sound_card(test::PulseServer::capture_id(), played.info.format)),
+                             live);
   require(session.start_recording(folder / "captured.take", "nobody"));
   require(session.start());
   const auto player = server.play(played.signal_path());
@@ -117,7 +117,9 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < sent.size(); ++i) {
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) + offset;
-    different += at < 0 || at >= static_cast<std::ptrdiff_t>(got.size()) || got[static_cast<std::size_t>(at)] != sent[i] ? 1U : 0U;
+    different += at < 0 || at >= static_cast<std::ptrdiff_t>(got.size()) || got[static_cast<std::size_t>(at)] != sent[i]
+                     ? 1U
+                     : 0U;
   }
   EXPECT_EQ(different, 0U) << "of " << sent.size() << " samples";
 
