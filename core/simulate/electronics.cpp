@@ -58,7 +58,10 @@ double nominal_peak(const body::LineInSignal& board, const LineInErrors& errors)
     const double wd = w * errors.ringing_decay_s;
     overshoot = errors.ringing * std::exp(-std::atan(wd) / wd) * wd / std::sqrt(1.0 + wd * wd);
   }
-  return board.supply_volts * (0.5 * tilt + overshoot);
+  const double right = board.supply_volts * (0.5 * tilt + overshoot);
+  // The reference slot stands off the sensors' zero in every cycle, a sensor at the end of its range now and then.
+  const double left = std::max(std::abs(board.reference_volts - board.zero_g_volts), board.volts_per_g * board.range_g);
+  return std::max(left, right);
 }
 
 }  // namespace
