@@ -11,6 +11,7 @@
 #include "workspaces/workspace.h"
 
 class QProgressBar;
+class QPushButton;
 class QStackedWidget;
 class QToolButton;
 
