@@ -55,6 +55,7 @@ struct ViewerWidget::Impl {
   std::vector<body::SegmentPose> poses;
   int selected = -1;
   bool floor = true, sensors = true, ghost = true;
+  std::optional<Sphere> extent;
   bool framed = false;  // Once a figure has been shown, the user's view stays.
   std::optional<bool> dark;
   QPointF pressed_at, last_at;
@@ -198,11 +199,20 @@ void ViewerWidget::look(ViewDirection direction) {
   update_camera();
 }
 
+void ViewerWidget::set_extent(const Eigen::Vector3d& centre, double radius) {
+  const bool first = !impl_->extent;
+  impl_->extent = Sphere{centre, radius};
+  if (first) {
+    frame_all();
+  }
+}
+
 void ViewerWidget::frame_all() {
-  const Sphere sphere = bounds(impl_->skeleton, impl_->poses);
+  const Sphere sphere = impl_->extent.value_or(bounds(impl_->skeleton, impl_->poses));
   if (sphere.radius > 0) {
     impl_->framed = isVisible();  // Before the first layout the shape of the picture is not known yet.
-    impl_->camera.frame(sphere.centre, 1.25 * sphere.radius, width() / std::max(1.0, static_cast<double>(height())));
+    impl_->camera.frame(sphere.centre, (impl_->extent ? 1.0 : 1.25) * sphere.radius,
+                        width() / std::max(1.0, static_cast<double>(height())));
     update_camera();
   }
 }

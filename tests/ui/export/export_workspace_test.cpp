@@ -142,8 +142,8 @@ class ExportWorkspaceTest : public QObject {
 
   void failures_while_writing_are_told_with_their_remedy() {
     SolveServices services = solving_->services();
-    services.write_bvh = [](const motion::Clip&, const std::filesystem::path& path,
-                            const interchange::BvhWriteOptions&, const Progress&) -> Status {
+    services.write_bvh = [](const motion::Clip&, const std::filesystem::path& path, const interchange::BvhWriteOptions&,
+                            const Progress&) -> Status {
       return Error{"no space left on the device", path.string(), "free some space or choose another disk"};
     };
     open(std::move(services));

@@ -25,7 +25,8 @@ double difference(const std::vector<body::SegmentPose>& a, const std::vector<bod
 TEST_F(Poses, WithoutEditsTheyAreTheClips) {
   std::vector<body::SegmentPose> poses;
   for (const double t : {0.0, 1.234, 4.0, 9.0}) {
-    edited_pose(solved.clip, solved.clip.skeleton, sensed, [](int, double) { return 0.0; }, t, poses);
+    edited_pose(
+        solved.clip, solved.clip.skeleton, sensed, [](int, double) { return 0.0; }, t, poses);
     EXPECT_LT(difference(poses, motion::pose_at(solved.clip, t)), 1e-12);
   }
 }
@@ -48,9 +49,11 @@ TEST_F(Poses, HeadingsTurnAsWhenTheyAreWrittenIntoTheClip) {
 }
 
 TEST_F(Poses, LengthsMoveTheChildrenOnly) {
-  const body::Skeleton longer = body::with_length(solved.clip.skeleton, 1, solved.clip.skeleton.segments[1].length + 0.1);
+  const body::Skeleton longer =
+      body::with_length(solved.clip.skeleton, 1, solved.clip.skeleton.segments[1].length + 0.1);
   std::vector<body::SegmentPose> poses;
-  edited_pose(solved.clip, longer, sensed, [](int, double) { return 0.0; }, 1.0, poses);
+  edited_pose(
+      solved.clip, longer, sensed, [](int, double) { return 0.0; }, 1.0, poses);
   const auto before = motion::pose_at(solved.clip, 1.0);
   EXPECT_LT((poses[1].p_WL - before[1].p_WL).norm(), 1e-12);
   EXPECT_NEAR((poses[2].p_WL - before[2].p_WL).norm(), 0.1, 1e-12);

@@ -35,7 +35,7 @@ inline take::Take made_up_take(const QString& folder, double seconds) {
 
 /// World orientations of the made-up arm at a time: it swings up and down in the plane y = 0.
 inline std::vector<std::vector<Eigen::Quaterniond>> made_up_motion(const body::Skeleton& skeleton,
-                                                                    const std::vector<double>& times) {
+                                                                   const std::vector<double>& times) {
   std::vector<std::vector<Eigen::Quaterniond>> lists(skeleton.segments.size());
   for (std::size_t s = 0; s < lists.size(); ++s) {
     for (const double t : times) {

@@ -83,6 +83,7 @@ QWidget* ExportWorkspace::make_source_rows() {
   }
   rates_->addItem(tr("Another rate"), 0.0);
   custom_rate_ = new QDoubleSpinBox(rows);
+  custom_rate_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   custom_rate_->setRange(kLowestRate, kHighestRate);
   custom_rate_->setDecimals(3);
   custom_rate_->setSuffix(tr(" Hz"));

@@ -21,6 +21,7 @@
 #include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/quality_text.h"
 #include "workspaces/solve/settings_card.h"
+#include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui {
 
@@ -121,8 +122,9 @@ QWidget* SolveWorkspace::make_main_page() {
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(viewer_);
   splitter->addWidget(curves_);
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 1);
+  splitter->setStretchFactor(0, 1);
+  splitter->setStretchFactor(1, 0);
+  splitter->setSizes({480, curves_->sizeHint().height()});
   layout->addWidget(splitter, 1);
   return page;
 }
@@ -279,6 +281,8 @@ void SolveWorkspace::show_figure() {
   }
   if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
+    const MotionExtent extent = motion_extent(clip, 60);
+    viewer_->set_extent(extent.centre, std::max(0.1, extent.radius));
     curves_->set_curves(model_.curves(),
                         clip.joints.empty() ? std::vector<double>() : clip.joints.front().rotation.times);
   } else {
