@@ -5,36 +5,55 @@
 
 namespace limbwave::decode {
 
-void DecayRegression::add(double level, double slope) {
+void DecayRegression::add(double level, double slope, double step) {
   weight_ += 1.0;
   level_ += level;
+  step_ += step;
   slope_ += slope;
   level_level_ += level * level;
+  level_step_ += level * step;
+  step_step_ += step * step;
   level_slope_ += level * slope;
+  step_slope_ += step * slope;
   slope_slope_ += slope * slope;
 }
 
 void DecayRegression::fade(double factor) {
-  for (double* sum : {&weight_, &level_, &slope_, &level_level_, &level_slope_, &slope_slope_}) {
+  for (double* sum : {&weight_, &level_, &step_, &slope_, &level_level_, &level_step_, &step_step_, &level_slope_,
+                      &step_slope_, &slope_slope_}) {
     *sum *= factor;
   }
 }
 
 DecayRegression::Estimate DecayRegression::estimate() const {
   Estimate result;
-  if (weight_ < 3.0) {
+  if (weight_ < 4.0) {
     return result;
   }
-  const double spread = level_level_ - level_ * level_ / weight_;
-  if (!(spread > 1e-12 * weight_)) {
+  // Centred moments; then the part that goes with the steps is taken out (Frisch and Waugh).
+  double ll = level_level_ - level_ * level_ / weight_;
+  double lz = level_slope_ - level_ * slope_ / weight_;
+  double zz = slope_slope_ - slope_ * slope_ / weight_;
+  const double ls = level_step_ - level_ * step_ / weight_;
+  const double ss = step_step_ - step_ * step_ / weight_;
+  const double sz = step_slope_ - step_ * slope_ / weight_;
+  const bool steps = ss > 1e-12 * weight_;
+  if (steps) {
+    ll -= ls * ls / ss;
+    lz -= ls * sz / ss;
+    zz -= sz * sz / ss;
+  }
+  if (!(ll > 1e-12 * weight_)) {
     return result;
   }
-  const double common = level_slope_ - level_ * slope_ / weight_;
-  result.kappa = -common / spread;
-  const double rest = std::max(0.0, slope_slope_ - slope_ * slope_ / weight_ - common * common / spread);
-  result.sd = std::sqrt(rest / (weight_ - 2.0) / spread);
-  // slope mean = −κ (level mean − c)
-  result.offset = result.kappa > 4.0 * result.sd ? (level_ + slope_ / result.kappa) / weight_ : 0.0;
+  result.kappa = -lz / ll;
+  const double rest = std::max(0.0, zz - lz * lz / ll);
+  result.sd = std::sqrt(rest / (weight_ - 3.0) / ll);
+  if (result.kappa > 4.0 * result.sd) {
+    const double transient = steps ? (sz + result.kappa * ls) / ss : 0.0;
+    // The means obey slope = −κ (level − c) + a · step as well.
+    result.offset = (level_ + (slope_ - transient * step_) / result.kappa) / weight_;
+  }
   return result;
 }
 
@@ -45,12 +64,13 @@ void CouplingEstimator::add(const CycleMeasurement& cycle, const std::array<doub
   const double keep = std::exp(-1.0 / memory_cycles_);
   if (!cycle.counter_clipped) {
     counter_.fade(keep);
-    counter_.add(cycle.low.mean, cycle.low.slope);
-    counter_.add(cycle.high.mean, cycle.high.slope);
+    counter_.add(cycle.low.mean, cycle.low.slope, 0.0);
+    counter_.add(cycle.high.mean, cycle.high.slope, 0.0);
   }
   if (waiting_ == 2) {
     // Slope = −κ (level − c) + motion: the levels before and after tell the motion.
     const auto& [before, middle] = window_;
+    const auto last = static_cast<std::size_t>(slots - 1);
     data_.fade(keep);
     for (int j = 0; j < slots; ++j) {
       const auto index = static_cast<std::size_t>(j);
@@ -60,7 +80,8 @@ void CouplingEstimator::add(const CycleMeasurement& cycle, const std::array<doub
       }
       const double motion =
           (levels[index] - before.levels[index]) / (cycle.slots[index].centre - before.cycle.slots[index].centre);
-      data_.add(middle.cycle.slots[index].mean, middle.cycle.slots[index].slope - motion);
+      const double step = middle.levels[index] - middle.levels[index == 0 ? last : index - 1];
+      data_.add(middle.cycle.slots[index].mean, middle.cycle.slots[index].slope - motion, step);
     }
     window_[0] = window_[1];
     waiting_ = 1;

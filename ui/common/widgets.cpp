@@ -80,12 +80,10 @@ EmptyState::EmptyState(const QString& icon_name, QWidget* parent)
   remedy_->setAlignment(Qt::AlignCenter);
   remedy_->setWordWrap(true);
   remedy_->setMaximumWidth(560);
-  remedy_->setMinimumWidth(320);
   remedy_->setProperty("role", "dim");
-  // Between stretches, not aligned: an aligned label that wraps gets the height of fewer lines than it has.
   auto* remedy_row = new QHBoxLayout;
   remedy_row->addStretch(1);
-  remedy_row->addWidget(remedy_, 1000);
+  remedy_row->addWidget(remedy_, 4);
   remedy_row->addStretch(1);
   layout->addLayout(remedy_row);
   buttons_ = new QHBoxLayout;
