@@ -56,9 +56,9 @@ class ViewerWidget : public QWidget {
   /// Background and colours; follows the palette by itself unless set here.
   void set_dark(bool dark);
 
-  /// What "everything" is for framing: the space that a whole motion takes up, metres. Without it, the present pose.
-  /// The first one also places the camera.
-  void set_extent(const Eigen::Vector3d& centre, double radius);
+  /// What "everything" is for framing: points of a whole motion, metres. Without any, the present pose. The first ones
+  /// also place the camera.
+  void set_extent(std::vector<Eigen::Vector3d> points);
 
   void look(ViewDirection direction);
   /// Centres the selected bone, or everything when none is selected.

@@ -66,7 +66,7 @@ class SilentSource : public acquire::LiveSource {
 
 StudioServices capture_services() {
   StudioServices services;
-  services.load_rig = [](const std::string& name) -> Result<solve::LiveSettings> {
+  services.load_rig = [](const std::string& name, const std::string&) -> Result<solve::LiveSettings> {
     solve::LiveSettings settings;
     settings.rig = body::load_rig(name).value();
     settings.skeleton = body::load_skeleton(settings.rig.skeleton).value();
@@ -285,10 +285,9 @@ class SolveWorkspaceTest : public QObject {
     solving_->block = true;
     open();
     QTRY_COMPARE(model().state(), SolveState::kSolving);
-    QTRY_VERIFY(button(QStringLiteral("Cancel")) != nullptr);
-    QTest::qWait(300);
+    QTest::qWait(600);
     save(QStringLiteral("solve-progress"));
-    QTest::mouseClick(button(QStringLiteral("Cancel")), Qt::LeftButton);
+    QTest::mouseClick(button(QStringLiteral("Cancel solving")), Qt::LeftButton);
     QTRY_COMPARE(model().state(), SolveState::kFailed);
     QVERIFY(says(QStringLiteral("Solving was cancelled")));
     solving_->block = false;
@@ -345,7 +344,7 @@ class SolveWorkspaceTest : public QObject {
   void live_capture_moves_the_figure_and_measures_its_latency() {
     start(capture_services());
     studio_->window->show_workspace(QStringLiteral("solve"));
-    QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm"));
+    QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
     QTRY_VERIFY(workspace().shows_live());
     QSignalSpy frames(&workspace().viewer(), &ViewerWidget::frame_rendered);
     QTRY_VERIFY(frames.size() > 30);

@@ -80,7 +80,7 @@ std::vector<body::SegmentPose> truth_pose(const evaluate::Truth& truth, const bo
   return poses;
 }
 
-MotionExtent motion_extent(const motion::Clip& clip, int instants) {
+std::vector<Vector3d> motion_extent(const motion::Clip& clip, int instants) {
   assert(instants > 1);
   std::vector<Vector3d> points;
   std::vector<body::SegmentPose> poses;
@@ -91,20 +91,7 @@ MotionExtent motion_extent(const motion::Clip& clip, int instants) {
       points.emplace_back(poses[s].p_WL + poses[s].R_WL * Vector3d(clip.skeleton.segments[s].length, 0, 0));
     }
   }
-  if (points.empty()) {
-    return {};
-  }
-  Vector3d low = points.front();
-  Vector3d high = points.front();
-  for (const Vector3d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  MotionExtent extent{(low + high) / 2, 0.0};
-  for (const Vector3d& p : points) {
-    extent.radius = std::max(extent.radius, (p - extent.centre).norm());
-  }
-  return extent;
+  return points;
 }
 
 std::vector<std::vector<float>> elevations(const motion::Clip& clip, const std::vector<int>& segments) {

@@ -26,12 +26,8 @@ std::vector<bool> segments_with_sensors(const body::Rig& rig, const body::Skelet
 std::vector<body::SegmentPose> truth_pose(const evaluate::Truth& truth, const body::Skeleton& skeleton,
                                           double take_time_s);
 
-/// A sphere around all bones over the whole clip, from `instants` poses: centre and radius, metres.
-struct MotionExtent {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0.0;
-};
-MotionExtent motion_extent(const motion::Clip& clip, int instants);
+/// Both ends of all bones at `instants` times spread over the clip, metres.
+std::vector<Eigen::Vector3d> motion_extent(const motion::Clip& clip, int instants);
 
 /// Elevation of a bone over the horizontal at every key of the clip's root, degrees; one list per segment asked for.
 /// Headings do not change it.
