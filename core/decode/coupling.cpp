@@ -67,27 +67,33 @@ void CouplingEstimator::add(const CycleMeasurement& cycle, const std::array<doub
     counter_.add(cycle.low.mean, cycle.low.slope, 0.0);
     counter_.add(cycle.high.mean, cycle.high.slope, 0.0);
   }
-  if (waiting_ == 2) {
-    // Slope = −κ (level − c) + motion: the levels before and after tell the motion.
-    const auto& [before, middle] = window_;
-    const auto last = static_cast<std::size_t>(slots - 1);
-    data_.fade(keep);
-    for (int j = 0; j < slots; ++j) {
-      const auto index = static_cast<std::size_t>(j);
-      const std::uint32_t bit = 1U << index;
-      if (((before.cycle.clipped | middle.cycle.clipped | cycle.clipped) & bit) != 0) {
-        continue;
-      }
-      const double motion =
-          (levels[index] - before.levels[index]) / (cycle.slots[index].centre - before.cycle.slots[index].centre);
-      const double step = middle.levels[index] - middle.levels[index == 0 ? last : index - 1];
-      data_.add(middle.cycle.slots[index].mean, middle.cycle.slots[index].slope - motion, step);
-    }
-    window_[0] = window_[1];
-    waiting_ = 1;
+  if (waiting_ == kWindow) {
+    std::move(window_.begin() + 1, window_.end(), window_.begin());
+    --waiting_;
   }
-  window_[static_cast<std::size_t>(waiting_)] = {cycle, levels};
-  ++waiting_;
+  window_[waiting_++] = {cycle, levels};
+  if (waiting_ < kWindow) {
+    return;
+  }
+  // Slope = −κ (level − c) + motion: the levels two cycles before and after tell the motion, to fourth order.
+  const CycleMeasurement& middle = window_[2].cycle;
+  const auto last = static_cast<std::size_t>(slots - 1);
+  std::uint32_t clipped = 0;
+  for (const Waiting& waiting : window_) {
+    clipped |= waiting.cycle.clipped;
+  }
+  data_.fade(keep);
+  for (std::size_t j = 0; j <= last; ++j) {
+    if ((clipped >> j & 1U) != 0) {
+      continue;
+    }
+    const double near = window_[3].levels[j] - window_[1].levels[j];
+    const double far = window_[4].levels[j] - window_[0].levels[j];
+    const double distance = window_[4].cycle.slots[j].centre - window_[0].cycle.slots[j].centre;
+    const double motion = (8.0 * near - far) / (3.0 * distance);
+    const double step = window_[2].levels[j] - window_[2].levels[j == 0 ? last : j - 1];
+    data_.add(middle.slots[j].mean, middle.slots[j].slope - motion, step);
+  }
 }
 
 DecayRegression::Estimate CouplingEstimator::data() const {

@@ -52,8 +52,9 @@ class CouplingEstimator {
   };
   double memory_cycles_;
   DecayRegression counter_, data_;
-  std::array<Waiting, 2> window_;  // the cycle before, and the one in the middle
-  int waiting_ = 0;
+  static constexpr std::size_t kWindow = 5;
+  std::array<Waiting, kWindow> window_;  // the newest cycles in a row, newest last
+  std::size_t waiting_ = 0;
 };
 
 }  // namespace limbwave::decode

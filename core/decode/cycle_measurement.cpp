@@ -64,7 +64,7 @@ CycleMeasurement CycleMeter::measure(const CycleBounds& bounds, const ChannelVie
   const double slot = result.period() / format_.slots;
 
   // Slots: never the start of a slot, and a third of that at its end, where a linear-phase filter rings ahead.
-  const int length = std::max(2, static_cast<int>(std::floor(slot * (1.0 - settle_ * (4.0 / 3.0)))) - 1);
+  const int length = std::max(2, static_cast<int>(std::floor(slot * (1.0 - settle_ * (4.0 / 3.0)))));
   const SettledWindow& window = bank_.get(length);
   result.data_noise_gain = window.noise_gain;
   std::array<std::int64_t, kMaxSlots> from{};
@@ -95,7 +95,7 @@ CycleMeasurement CycleMeter::measure(const CycleBounds& bounds, const ChannelVie
   const auto last = static_cast<std::size_t>(format_.slots - 1);
 
   // The counter's halves: all but half a slot after and a quarter before the edges.
-  const int half_length = std::max(2, static_cast<int>(std::floor(slot * (half_slots - 0.75))) - 1);
+  const int half_length = std::max(2, static_cast<int>(std::floor(slot * (half_slots - 0.75))));
   const SettledWindow& half_window = bank_.get(half_length);
   const auto low_from = static_cast<std::int64_t>(std::ceil(bounds.start + 0.5 * slot));
   const auto high_from = static_cast<std::int64_t>(std::ceil(bounds.middle + 0.5 * slot));

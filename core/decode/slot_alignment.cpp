@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "decode/alignment_kernel.h"
+
 namespace limbwave::decode {
 namespace {
 
-constexpr std::size_t kBefore = 3;
-constexpr std::size_t kAfter = 2;
+constexpr std::size_t kAfter = AlignmentKernel::kAfter;
+constexpr std::size_t kBefore = 3;  // of the polynomial
+
+const AlignmentKernel& kernel() {
+  static const AlignmentKernel instance;
+  return instance;
+}
 
 /// The polynomial through `count` points, at x = 0: Lagrange's form, which copes with any spacing.
 double interpolate_at_zero(const double* x, const double* values, std::size_t count) {
@@ -40,7 +47,7 @@ void SlotAligner::push(const LineInCycle& cycle) {
   while (next_ + kAfter < window_.size()) {
     emit(next_++);
   }
-  while (next_ > kBefore) {
+  while (next_ > AlignmentKernel::kBefore) {
     window_.pop_front();
     --next_;
   }
@@ -59,6 +66,21 @@ std::vector<AccelerationFrame> SlotAligner::take_frames() {
 }
 
 double SlotAligner::interpolate(std::size_t index, std::size_t slot, double instant) const {
+  if (index >= AlignmentKernel::kBefore && index + kAfter < window_.size()) {
+    AlignmentKernel::Values instants;
+    AlignmentKernel::Values volts;
+    const double per_sample = 1.0 / window_[index].period_samples;
+    bool whole = true;
+    for (std::size_t k = 0; k < AlignmentKernel::kTaps; ++k) {
+      const LineInCycle& cycle = window_[index + k - AlignmentKernel::kBefore];
+      whole = whole && supports(cycle, slot);
+      instants[k] = (cycle.sample[slot] - instant) * per_sample;
+      volts[k] = cycle.volts[slot];
+    }
+    if (whole) {
+      return kernel().at_zero(instants, volts);
+    }
+  }
   // Unbroken support on either side of this cycle; a bad cycle itself is bridged.
   std::array<double, kBefore + 1 + kAfter> x{};
   std::array<double, kBefore + 1 + kAfter> values{};

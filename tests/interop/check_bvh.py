@@ -1,8 +1,8 @@
 """Blender must put every joint and bone end of our BVH files where we say it is, at every key.
 
 Usage: blender -b --factory-startup --python-exit-code 1 --python check_bvh.py -- FOLDER
-Every FILE.bvh has a FILE.json with fps, metres_per_unit, joints and heads[frame][joint] (z up, metres), and the same for
-the ends of the last bones: ends and tails[frame][end].
+Every FILE.bvh has a FILE.json with fps, metres_per_unit, joints and heads[frame][joint] (Blender's
+world, metres), and the same for the ends of the last bones: ends and tails[frame][end].
 """
 import builtins
 import json

@@ -24,7 +24,8 @@ void must(const Status& status) {
   }
 }
 
-// World positions (z up, metres) of all joints at every frame of `fps`, and of the ends of the last bones.
+// Positions (metres, in Blender's world: z up, figures face −y) of all joints at every frame of `fps`, and of the ends
+// of the last bones.
 void write_expected(const Clip& clip, const fs::path& bvh, double fps, double metres_per_unit) {
   using nlohmann::json;
   const auto& segments = clip.skeleton.segments;
@@ -42,7 +43,7 @@ void write_expected(const Clip& clip, const fs::path& bvh, double fps, double me
       expected["ends"].push_back(segments[i].name);
     }
   }
-  const auto to_json = [](const Eigen::Vector3d& p) { return json{p.x(), p.y(), p.z()}; };
+  const auto to_json = [](const Eigen::Vector3d& p) { return json{p.y(), -p.x(), p.z()}; };
   const std::size_t frames = limbwave::motion::frame_count(clip.duration(), fps);
   for (std::size_t frame = 0; frame < frames; ++frame) {
     json heads;
