@@ -263,7 +263,7 @@ void ViewerWidget::mousePressEvent(QMouseEvent* event) {
 void ViewerWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
   const QPointF by = at - impl_->last_at;
-  if (!impl_->moving && (at - impl_->pressed_at).manhattanLength() < QApplication::startDragDistance() / 2) {
+  if (!impl_->moving && (at - impl_->pressed_at).manhattanLength() < 0.5 * QApplication::startDragDistance()) {
     return;
   }
   impl_->moving = true;

@@ -76,7 +76,6 @@ QWidget* ExportWorkspace::make_source_rows() {
     formats_->addItem(one.title, one.id);
   }
   format_hint_ = dim_label({}, rows);
-  format_hint_->setWordWrap(true);
   rates_ = new QComboBox(rows);
   for (const double rate : export_rates()) {
     rates_->addItem(tr("%1 frames a second").arg(rate), rate);
