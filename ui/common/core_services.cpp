@@ -47,13 +47,26 @@ std::string simulator_title(const std::string& motion) {
   return CoreServices::tr("Simulator: %1").arg(motion_title(QString::fromStdString(motion))).toStdString();
 }
 
+/// The simulator's motions, the most telling first; still poses are for measuring and show nothing.
+std::vector<std::string> demo_motions() {
+  std::vector<std::string> motions = simulate::builtin_motions();
+  std::erase(motions, "still");
+  static const std::vector<std::string> first{"reach", "wave", "walk", "box", "arm-raise"};
+  const auto rank = [](const std::string& motion) {
+    return std::find(first.begin(), first.end(), motion) - first.begin();
+  };
+  std::stable_sort(motions.begin(), motions.end(),
+                   [&rank](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+  return motions;
+}
+
 Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
   auto devices = acquire::list_devices();
   if (!devices) {
     return devices;
   }
   std::vector<acquire::DeviceInfo> all = std::move(devices).value();
-  for (const std::string& motion : simulate::builtin_motions()) {
+  for (const std::string& motion : demo_motions()) {
     acquire::DeviceInfo simulator;
     simulator.id = kSimulatorPrefix + motion;
     simulator.title = simulator_title(motion);
@@ -150,7 +163,7 @@ StudioServices core_services() {
   services.make_live = [](std::unique_ptr<acquire::LiveSource> source, solve::LiveSettings settings) {
     return std::unique_ptr<LiveBackend>(std::make_unique<SessionBackend>(std::move(source), std::move(settings)));
   };
-  services.demo_motions = [] { return simulate::builtin_motions(); };
+  services.demo_motions = demo_motions;
   services.list_rigs = [] { return body::shipped_rigs(); };
   services.load_rig = load_rig_for;
   services.open_take = [](const std::filesystem::path& folder) { return take::open_take(folder); };
