@@ -61,8 +61,6 @@ function(limbwave_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE limbwave_options ${ARG_DEPENDS})
   target_include_directories(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests")
-  target_compile_definitions(${name} PRIVATE LIMBWAVE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-    LIMBWAVE_BINARY_DIR="${CMAKE_BINARY_DIR}")
   set(environment "LIMBWAVE_RESOURCES=${CMAKE_SOURCE_DIR}/resources" ${ARG_ENVIRONMENT})
   if(DEFINED ENV{LIMBWAVE_DATA})
     list(APPEND environment "LIMBWAVE_DATA=$ENV{LIMBWAVE_DATA}")
@@ -71,6 +69,9 @@ function(limbwave_add_test name)
   endif()
   if(ARG_QT)
     target_link_libraries(${name} PRIVATE Qt6::Test)
+    # Only here, for screenshots: a path on the command line keeps the compiler cache from serving another checkout.
+    target_compile_definitions(${name} PRIVATE LIMBWAVE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+      LIMBWAVE_BINARY_DIR="${CMAKE_BINARY_DIR}")
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     add_test(NAME ${name} COMMAND "${CMAKE_SOURCE_DIR}/tests/support/with_display.sh" $<TARGET_FILE:${name}>)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
