@@ -1,18 +1,16 @@
 #include "support/child_process.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): not declared by unistd.h without GNU extensions
 
 namespace limbwave::test {
 
