@@ -9,6 +9,10 @@
 #include "base/result.h"
 #include "body/rig.h"
 
+namespace limbwave {
+class JsonReader;
+}
+
 namespace limbwave::calibrate {
 
 using Eigen::Matrix3d;
@@ -48,5 +52,11 @@ RigCalibration nominal_calibration(const body::Rig& rig);
 
 Result<RigCalibration> calibration_from_json(const nlohmann::json& json, const std::string& place);
 nlohmann::json calibration_to_json(const RigCalibration& calibration);
+
+// The entries alone, as the calibration library stores them. Reading leaves what is wrong in the reader's state.
+SensorCalibration sensor_calibration_from_json(const JsonReader& reader);
+nlohmann::json sensor_calibration_to_json(const SensorCalibration& sensor);
+MountCalibration mount_calibration_from_json(const JsonReader& reader);
+nlohmann::json mount_calibration_to_json(const MountCalibration& mount);
 
 }  // namespace limbwave::calibrate
