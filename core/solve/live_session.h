@@ -2,12 +2,9 @@
 /// snapshots at their own pace (25–60 Hz) and never wait for the worker.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,26 +12,11 @@
 #include "base/diagnostics.h"
 #include "base/result.h"
 #include "decode/slot_alignment.h"
+#include "solve/sensor_health.h"
 #include "solve/solve.h"
 #include "take/take.h"
 
 namespace limbwave::solve {
-
-enum class HealthState { kUnknown, kGood, kWarning, kBad };
-
-/// One sensor's health: colour and words.
-struct SensorHealth {
-  HealthState state = HealthState::kUnknown;
-  std::string code;  ///< "good", "no-signal", "clipping", "stuck", "not-plausible", "no-calibration" ...
-  std::string text;  ///< What it is and what to do.
-};
-
-/// Smallest and largest sample of a stretch, for the scope.
-struct ScopePoint {
-  double time_s = 0.0;
-  std::array<float, 2> minimum{};
-  std::array<float, 2> maximum{};
-};
 
 /// What a face shows. Vectors hold the most recent part only.
 struct LiveSnapshot {
@@ -73,7 +55,8 @@ struct LiveSettings {
   SolveSettings solve;
 };
 
-/// All functions are called from one (GUI) thread; the work happens on the session's own.
+/// All functions may be called from any thread; the work happens on the session's own. `start_recording` and
+/// `stop_recording` touch the disk: a GUI calls them from a job.
 class LiveSession {
  public:
   LiveSession(std::unique_ptr<acquire::LiveSource> source, LiveSettings settings);

@@ -10,17 +10,13 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "decode/line_in.h"
+#include "estimate/inclination.h"
 #include "motion/clip.h"
 #include "take/take.h"
 
 namespace limbwave::solve {
 
-/// How inclinations are smoothed.
-enum class Smoothing {
-  kNone,      ///< Every frame by itself (the paper's equation 2).
-  kAdaptive,  ///< Weighted by trust, without lag.
-  kBridging,  ///< Also bridges bursts of limb acceleration by a constant-rate model. Default.
-};
+using estimate::Smoothing;
 
 /// A user's key of a segment's rotation about the vertical, interpolated linearly between keys.
 struct HeadingKey {
@@ -34,9 +30,9 @@ struct SolveSettings {
   double smoothing_s = 0.08;                      ///< Time scale; longer is smoother.
   std::vector<std::vector<HeadingKey>> headings;  ///< One list per segment; may be empty.
   decode::LineInParameters line_in;
-  std::string calibration =
-      "auto";  ///< "auto": the take's snapshot, else the library, else the take's own calibration
-               ///< segments, else nominal; or one of "snapshot", "library", "segments", "nominal".
+  /// "auto": the first that there is of "snapshot" (in the take), "segments" (the take's own calibration segments),
+  /// "library" (the user's) and "nominal" (data sheet); or one of these by name.
+  std::string calibration = "auto";
 };
 
 struct SensorQuality {

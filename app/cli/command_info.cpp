@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "solve/solve.h"
+#include "take/take.h"
+
+namespace limbwave::cli {
+namespace {
+
+void print_info(const take::Take& take, bool as_json, Console& console) {
+  const take::TakeInfo& info = take.info;
+  const double seconds = static_cast<double>(info.frames) / info.format.rate.hz;
+  if (as_json) {
+    nlohmann::json segments = nlohmann::json::array();
+    for (const take::TakeSegment& segment : info.segments) {
+      segments.push_back({{"name", segment.name},
+                          {"start_s", info.format.rate.seconds(segment.first).value},
+                          {"seconds", info.format.rate.seconds(segment.count).value}});
+    }
+    nlohmann::json events = nlohmann::json::array();
+    for (const take::TakeEvent& event : take.events) {
+      events.push_back({{"time_s", info.format.rate.seconds(event.sample).value},
+                        {"kind", event.kind},
+                        {"text", event.text},
+                        {"count", event.count}});
+    }
+    console.print_json({{"kind", info.kind},
+                        {"created", info.created},
+                        {"subject", info.subject},
+                        {"source", info.source},
+                        {"complete", info.complete},
+                        {"frames", info.frames},
+                        {"seconds", seconds},
+                        {"rate_hz", info.format.rate.hz},
+                        {"channels", info.format.channels},
+                        {"type", acquire::name(info.format.type)},
+                        {"rig", info.rig.name},
+                        {"skeleton", info.skeleton.name},
+                        {"calibrated", info.calibration.has_value()},
+                        {"segments", segments},
+                        {"events", events},
+                        {"solves", solve::list_solves(take)},
+                        {"diagnostics", diagnostics_to_json(take.diagnostics)}});
+    return;
+  }
+  console.print(fmt::format("{}: {:.2f} s, {:g} Hz, {} channels, {}{}", take.folder.string(), seconds,
+                            info.format.rate.hz, info.format.channels, acquire::name(info.format.type),
+                            info.complete ? "" : ", was not closed"));
+  console.print(fmt::format("recorded {} from {}; subject {}", info.created, info.source,
+                            info.subject.empty() ? "not named" : info.subject));
+  console.print(fmt::format("rig {}, skeleton {}, {}", info.rig.name, info.skeleton.name,
+                            info.calibration ? "with its calibration" : "no calibration in the take"));
+  for (const take::TakeSegment& segment : info.segments) {
+    console.print(fmt::format("segment {:<28} {:8.2f} s  {:8.2f} s long", segment.name,
+                              info.format.rate.seconds(segment.first).value,
+                              info.format.rate.seconds(segment.count).value));
+  }
+  for (const take::TakeEvent& event : take.events) {
+    console.print(fmt::format("event   {:<28} {:8.2f} s  {}", event.kind, info.format.rate.seconds(event.sample).value,
+                              event.text));
+  }
+  for (const std::string& name : solve::list_solves(take)) {
+    console.print("solve   " + name);
+  }
+  console.print(take.diagnostics);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Console& console) {
+  struct Options {
+    std::string take;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  const auto add = [&](const char* name, const char* help, const char* example) {
+    CLI::App* command = app.add_subcommand(name, help);
+    command->add_option("TAKE", options->take, "Folder of the take")->required();
+    command->add_flag("--json", options->json, "As JSON");
+    command->footer(example);
+    return command;
+  };
+  add("info", "Tell what is in a take", "Example: limbwave info reach.take")->callback([options, &console] {
+    print_info(console.check(take::open_take(options->take)), options->json, console);
+  });
+  add("verify", "Check whether a take is whole", "Example: limbwave verify reach.take")->callback([options, &console] {
+    const take::VerifyReport report = console.check(take::verify_take(options->take));
+    if (options->json) {
+      console.print_json({{"whole", report.findings.empty()}, {"findings", diagnostics_to_json(report.findings)}});
+    } else {
+      console.print(report.findings);
+    }
+    if (worst(report.findings) != Severity::kInfo) {
+      console.fail({fmt::format("has {} finding(s)", report.findings.size()), options->take,
+                    "limbwave recover repairs what a crash left"});
+    }
+    if (!options->json) {
+      console.print(options->take + ": whole");
+    }
+  });
+  add("recover", "Repair a take after a crash", "Example: limbwave recover reach.take")->callback([options, &console] {
+    const Diagnostics done = console.check(take::recover_take(options->take));
+    if (options->json) {
+      console.print_json({{"done", diagnostics_to_json(done)}});
+    } else {
+      console.print(options->take + (done.empty() ? ": nothing to repair" : ": repaired"));
+      console.print(done);
+    }
+  });
+}
+
+}  // namespace limbwave::cli

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "acquire/sound_card.h"
+#include "commands.h"
+#include "simulate/simulate.h"
+#include "solve/live_session.h"
+#include "solve/take_calibration.h"
+
+namespace limbwave::cli {
+namespace {
+
+struct Options {
+  std::string take, device = "default", rig = "line-in-arm", subject, type = "int16", errors = "paper";
+  double rate = 48000.0, seconds = 0.0;
+};
+
+std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console& console) {
+  acquire::StreamFormat format{SampleRate{options.rate}, 2, acquire::SampleType::kInt16};
+  for (const auto type : {acquire::SampleType::kInt16, acquire::SampleType::kInt24, acquire::SampleType::kInt32,
+                          acquire::SampleType::kFloat32}) {
+    if (acquire::name(type) == options.type) {
+      format.type = type;
+    }
+  }
+  constexpr std::string_view kSimulator = "simulator:";
+  if (options.device.starts_with(kSimulator)) {
+    simulate::SimulateSettings settings;
+    settings.motion = options.device.substr(kSimulator.size());
+    settings.rig = options.rig;
+    settings.errors_name = options.errors;
+    settings.errors = console.check(simulate::load_errors(options.errors));
+    settings.format = format;
+    return console.check(simulate::open_simulator(settings));
+  }
+  return console.check(acquire::open_sound_card(options.device, format));
+}
+
+void record(const Options& options, Console& console) {
+  solve::LiveSettings settings;
+  settings.rig = console.check(body::load_rig(options.rig));
+  settings.skeleton = console.check(body::load_skeleton(settings.rig.skeleton));
+  settings.calibration = solve::calibration_for_recording(settings.rig, options.subject);
+  solve::LiveSession session(open_source(options, console), settings);
+  console.check(session.start_recording(options.take, options.subject));
+  console.check(session.start());
+  const Progress progress = console.progress();
+  Diagnostics shown;
+  while (!Console::interrupted()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const auto now = session.snapshot();
+    (void)progress.report(options.seconds > 0.0 ? now->recorded_s / options.seconds : 0.0,
+                          fmt::format("{:.1f} s, disk lasts {:.0f} min, {}", now->recorded_s, now->disk_left_s / 60.0,
+                                      now->line.locked ? "in sync" : "no sync yet"));
+    if (!now->recording_error.empty() || !now->source_alive ||
+        (options.seconds > 0.0 && now->recorded_s >= options.seconds)) {
+      break;
+    }
+  }
+  session.stop();
+  const auto last = session.snapshot();
+  const take::Take take = console.check(session.stop_recording());
+  console.print(fmt::format("{}: {:.2f} s recorded; capture to pose {:.0f} ms mean, {:.0f} ms at most, beyond the "
+                            "device's {:.0f} ms",
+                            options.take, static_cast<double>(take.info.frames) / take.info.format.rate.hz,
+                            1e3 * last->latency_mean_s, 1e3 * last->latency_max_s, 1e3 * last->device_latency_s));
+  console.print(last->diagnostics);
+  if (!last->recording_error.empty()) {
+    console.fail({"recording stopped early: " + last->recording_error, options.take, "what was recorded is kept"});
+  }
+  if (!last->source_alive) {
+    console.fail({"the device stopped giving samples", options.device, "what was recorded is kept; check the cable"});
+  }
+}
+
+}  // namespace
+
+void add_record(CLI::App& app, Console& console) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("record", "Record a take from a sound card or the simulator");
+  command->add_option("TAKE", options->take, "Folder to make")->required();
+  command->add_option("--device", options->device, "As `limbwave devices` lists it, \"default\", or simulator:MOTION")
+      ->capture_default_str();
+  command->add_option("--rig", options->rig, "Rig: a name or a file")->capture_default_str();
+  command->add_option("--subject", options->subject, "Who wears it");
+  command->add_option("--seconds", options->seconds, "Stop after this time; 0: at Ctrl-C")
+      ->check(CLI::Range(0.0, 864000.0))
+      ->capture_default_str();
+  command->add_option("--rate", options->rate, "Samples a second")
+      ->check(CLI::Range(44100.0, 192000.0))
+      ->capture_default_str();
+  command->add_option("--type", options->type, "Sample type")
+      ->check(CLI::IsMember({"int16", "int24", "int32", "float32"}))
+      ->capture_default_str();
+  command->add_option("--errors", options->errors, "Error profile of the simulator")->capture_default_str();
+  command->footer("Example: limbwave record walk.take --device default --seconds 60");
+  command->callback([options, &console] { record(*options, console); });
+}
+
+}  // namespace limbwave::cli

@@ -1,0 +1,43 @@
+/// `limbwave`: everything the studio can do to data, for scripts.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "commands.h"
+
+int main(int argc, char** argv) {
+  using namespace limbwave::cli;
+  Console::catch_interrupts();
+  Console console;
+  CLI::App app{"Limbwave: low-cost wearable motion capture from raw samples to animation", "limbwave"};
+  app.set_version_flag("--version", std::string("limbwave ") + LIMBWAVE_VERSION);
+  app.require_subcommand(1);
+  add_devices(app, console);
+  add_record(app, console);
+  add_import(app, console);
+  add_calibrate(app, console);
+  add_solve(app, console);
+  add_export(app, console);
+  add_simulate(app, console);
+  add_evaluate(app, console);
+  add_info(app, console);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "limbwave: %s; see limbwave --help\n", error.what());
+    return 2;
+  } catch (const CommandFailed& error) {
+    std::fprintf(stderr, "limbwave: %s\n", error.what());
+    return Console::interrupted() ? 130 : 1;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "limbwave: out of memory; close other programs or work on a shorter take\n");
+    return 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "limbwave: unexpected failure: %s; please report this\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,31 @@
+/// From inclinations to a clip: headings about the vertical and the kinematic chain (line-in paper §5).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "motion/clip.h"
+#include "solve/solve.h"
+
+namespace limbwave::solve {
+
+/// A segment's heading at a time: linear between keys, held outside, 0 without keys. Radians.
+double heading_at(const std::vector<HeadingKey>& keys, double time_s);
+
+/// R_WL = Rz(heading) · R_WL_inclination for segments that carry a sensor; others follow their parent at rest.
+/// `inclinations[segment]` is empty for segments without a sensor, else one rotation per time.
+motion::Clip compose_clip(const body::Skeleton& skeleton, const std::vector<double>& times,
+                          const std::vector<std::vector<Eigen::Quaterniond>>& inclinations,
+                          const std::vector<std::vector<HeadingKey>>& headings, double frame_rate_hz);
+
+/// Which segment each accelerometer of the rig is worn on: index into the skeleton.
+std::vector<int> sensor_segments(const body::Rig& rig, const body::Skeleton& skeleton);
+
+/// Changes the headings of a solve in place, without solving again: every world orientation turns by the difference.
+void apply_headings(Solve& solve, const std::vector<int>& sensor_segments,
+                    const std::vector<std::vector<HeadingKey>>& headings);
+
+/// World orientations of all segments at every key of the clip's root track; [frame][segment].
+std::vector<std::vector<Eigen::Quaterniond>> world_orientations(const motion::Clip& clip);
+
+}  // namespace limbwave::solve

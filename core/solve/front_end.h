@@ -1,0 +1,45 @@
+/// From raw samples to one instant per cycle: the streaming stages that live and offline share. Results do not depend on
+/// how the samples are cut into blocks.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "body/rig.h"
+#include "decode/line_in.h"
+#include "decode/slot_alignment.h"
+
+namespace limbwave::solve {
+
+/// The decoder's view of the board that the rig file describes.
+decode::LineInFormat line_in_format(const body::LineInSignal& signal);
+
+class FrontEnd {
+ public:
+  FrontEnd(const body::Rig& rig, SampleRate rate, const decode::LineInParameters& parameters);
+
+  /// Interleaved stereo, full scale ±1.
+  void push(std::span<const float> interleaved);
+  /// Frames that are known to be missing.
+  void gap(SampleCount count);
+  void finish();
+
+  /// What has been decoded since the last call.
+  std::vector<decode::AccelerationFrame> take_frames();
+  /// Cycles since the last call, for displays; collected only after `keep_cycles(true)`.
+  std::vector<decode::LineInCycle> take_cycles();
+  void keep_cycles(bool keep) { keep_cycles_ = keep; }
+  Diagnostics take_diagnostics() { return decoder_.take_diagnostics(); }
+  [[nodiscard]] const decode::LineInStatus& status() const { return decoder_.status(); }
+
+ private:
+  void align();
+
+  decode::LineInDecoder decoder_;
+  decode::SlotAligner aligner_;
+  bool keep_cycles_ = false;
+  std::vector<decode::LineInCycle> cycles_;
+};
+
+}  // namespace limbwave::solve

@@ -1,0 +1,201 @@
+#include "solve/take_calibration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "base/units.h"
+#include "calibrate/gain_check.h"
+#include "take/calibration_library.h"
+
+namespace limbwave::solve {
+namespace {
+
+constexpr const char* kNominal = "nominal";
+
+const take::TakeSegment* find_segment(const take::Take& take, const std::string& name) {
+  const auto found = std::find_if(take.info.segments.begin(), take.info.segments.end(),
+                                  [&](const take::TakeSegment& segment) { return segment.name == name; });
+  return found == take.info.segments.end() ? nullptr : &*found;
+}
+
+// Sensors whose range is known from the data sheet alone.
+std::vector<int> nominal_sensors(const calibrate::RigCalibration& calibration) {
+  std::vector<int> sensors;
+  for (std::size_t s = 0; s < calibration.sensors.size(); ++s) {
+    if (calibration.sensors[s].method == kNominal) {
+      sensors.push_back(static_cast<int>(s));
+    }
+  }
+  return sensors;
+}
+
+// Those of a group whose mounting is known from the rig file alone.
+std::vector<int> nominal_mounts(const calibrate::RigCalibration& calibration, const body::CalibrationGroup& group) {
+  std::vector<int> sensors;
+  std::copy_if(group.sensors.begin(), group.sensors.end(), std::back_inserter(sensors), [&](int s) {
+    return calibration.mounts[static_cast<std::size_t>(s)].method == kNominal;
+  });
+  return sensors;
+}
+
+void add(Diagnostics& to, const Diagnostics& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+// What `base` has only from the data sheet, from the take's own "range" and "pose:..." segments; empty when they give
+// nothing.
+std::optional<ChosenCalibration> from_segments(const take::Take& take, const DecodedTake& decoded,
+                                               const calibrate::RigCalibration& base) {
+  const body::Rig& rig = take.info.rig;
+  ChosenCalibration chosen{base, "segments", "", {}};
+  int ranges = 0;
+  int mounts = 0;
+  double worst_residual = 0.0;
+  double worst_angle = 0.0;
+  if (const take::TakeSegment* range = find_segment(take, kRangeSegment)) {
+    for (RangeOutcome& outcome : calibrate_range(take, decoded.of(take, *range), nominal_sensors(base))) {
+      const auto s = static_cast<std::size_t>(outcome.sensor);
+      if (!outcome.result) {
+        const Error& error = outcome.result.error();
+        chosen.diagnostics.push_back({Severity::kWarning, "calibration.range-failed",
+                                      "range calibration failed: " + error.message, error.remedy,
+                                      rig.accelerometers[s].name, -1.0});
+        continue;
+      }
+      add(chosen.diagnostics, outcome.result->diagnostics);
+      chosen.calibration.sensors[s] = outcome.result->calibration;
+      worst_residual = std::max(worst_residual, outcome.result->calibration.residual_g);
+      ++ranges;
+    }
+  }
+  for (std::size_t g = 0; g < rig.groups.size(); ++g) {
+    const take::TakeSegment* first = find_segment(take, pose_segment(rig.groups[g], 0));
+    const take::TakeSegment* second = find_segment(take, pose_segment(rig.groups[g], 1));
+    const std::vector<int> sensors = nominal_mounts(base, rig.groups[g]);
+    if (first == nullptr || second == nullptr || sensors.empty()) {
+      continue;
+    }
+    const Result<calibrate::LimbResult> limb = calibrate_limb(
+        take, static_cast<int>(g), decoded.of(take, *first), decoded.of(take, *second), chosen.calibration, sensors);
+    if (!limb) {
+      chosen.diagnostics.push_back({Severity::kWarning, "calibration.limb-failed",
+                                    "limb calibration failed: " + limb.error().message, limb.error().remedy,
+                                    rig.groups[g].name, -1.0});
+      continue;
+    }
+    add(chosen.diagnostics, limb->diagnostics);
+    for (const calibrate::SensorLimbResult& sensor : limb->sensors) {
+      chosen.calibration.mounts[static_cast<std::size_t>(sensor.sensor)] = sensor.mount;
+      worst_angle = std::max(worst_angle, std::abs(sensor.angle_error_deg));
+      ++mounts;
+    }
+  }
+  if (ranges + mounts == 0) {
+    return std::nullopt;
+  }
+  chosen.explanation = fmt::format(
+      "from the take's own calibration: range of {} of {} sensors (residual at most {:.4f} g), mounting of {} (poses at "
+      "most {:.1f}° from perpendicular)",
+      ranges, rig.accelerometers.size(), worst_residual, mounts, worst_angle);
+  return chosen;
+}
+
+std::string newest_date(const calibrate::RigCalibration& calibration) {
+  std::string newest;
+  for (const calibrate::SensorCalibration& sensor : calibration.sensors) {
+    newest = std::max(newest, sensor.date);
+  }
+  for (const calibrate::MountCalibration& mount : calibration.mounts) {
+    newest = std::max(newest, mount.date);
+  }
+  return newest.empty() ? "an unknown date" : newest;
+}
+
+}  // namespace
+
+std::string pose_segment(const body::CalibrationGroup& group, int pose) {
+  return fmt::format("pose:{}:{}", group.name, pose == 0 ? "first" : "second");
+}
+
+bool is_measured(const calibrate::RigCalibration& calibration) {
+  return std::any_of(calibration.sensors.begin(), calibration.sensors.end(),
+                     [](const auto& sensor) { return sensor.method != kNominal; }) ||
+         std::any_of(calibration.mounts.begin(), calibration.mounts.end(),
+                     [](const auto& mount) { return mount.method != kNominal; });
+}
+
+std::vector<RangeOutcome> calibrate_range(const take::Take& take, std::span<const decode::AccelerationFrame> frames,
+                                          const std::vector<int>& sensors) {
+  std::vector<RangeOutcome> outcomes;
+  for (const int sensor : sensors) {
+    const std::string& serial = take.info.rig.accelerometers.at(static_cast<std::size_t>(sensor)).serial;
+    calibrate::RangeCalibrator calibrator(take.info.rig.line_in, serial);
+    calibrator.push(calibrate::sensor_series(frames, sensor));
+    outcomes.push_back({sensor, calibrator.finish(take.info.created)});
+  }
+  return outcomes;
+}
+
+Result<calibrate::LimbResult> calibrate_limb(const take::Take& take, int group,
+                                             std::span<const decode::AccelerationFrame> first,
+                                             std::span<const decode::AccelerationFrame> second,
+                                             const calibrate::RigCalibration& range, const std::vector<int>& sensors) {
+  calibrate::LimbCalibrator calibrator(take.info.rig, range, group, sensors);
+  calibrator.push(0, first);
+  calibrator.push(1, second);
+  return calibrator.finish(take.info.created);
+}
+
+Result<ChosenCalibration> choose_calibration(const take::Take& take, const DecodedTake& decoded,
+                                             const std::string& wanted) {
+  const bool automatic = wanted == "auto";
+  const body::Rig& rig = take.info.rig;
+  const bool has_snapshot = take.info.calibration && is_measured(*take.info.calibration);
+  if (wanted == "snapshot" && !has_snapshot) {
+    return Error{"has no calibration in it", take.folder.string(), "calibrate it, or choose another --calibration"};
+  }
+  if (automatic || wanted == "segments") {
+    // A snapshot of which a part was never measured is completed from the take's own movements.
+    const calibrate::RigCalibration base =
+        automatic && has_snapshot ? *take.info.calibration : calibrate::nominal_calibration(rig);
+    if (std::optional<ChosenCalibration> chosen = from_segments(take, decoded, base)) {
+      return std::move(*chosen);
+    }
+    if (!automatic) {
+      return Error{"has no calibration segments", take.folder.string(), "choose another --calibration"};
+    }
+  }
+  if ((automatic || wanted == "snapshot") && has_snapshot) {
+    return ChosenCalibration{*take.info.calibration, "snapshot",
+                             "as recorded in the take, of " + newest_date(*take.info.calibration), {}};
+  }
+  if (automatic || wanted == "library") {
+    const take::LibraryLookup found = take::library_calibration(rig, take.info.subject);
+    if (found.calibration) {
+      return ChosenCalibration{*found.calibration, "library", found.explanation, found.diagnostics};
+    }
+    if (!automatic) {
+      return Error{"is worn by a rig that the calibration library does not know: " + found.explanation,
+                   take.folder.string(), "calibrate it first: limbwave calibrate"};
+    }
+  }
+  if (automatic || wanted == "nominal") {
+    ChosenCalibration chosen{calibrate::nominal_calibration(rig), "nominal", "from the data sheet alone", {}};
+    if (automatic) {
+      chosen.diagnostics.push_back({Severity::kWarning, "calibration.none",
+                                    "no sensor of this take was ever calibrated, so inclinations may be 10° wrong",
+                                    "calibrate the range of the sensors and their mounting", "", -1.0});
+    }
+    return chosen;
+  }
+  return Error{"is not a source of calibrations", "\"" + wanted + "\"",
+               "use auto, snapshot, segments, library or nominal"};
+}
+
+calibrate::RigCalibration calibration_for_recording(const body::Rig& rig, const std::string& subject) {
+  const take::LibraryLookup found = take::library_calibration(rig, subject);
+  return found.calibration ? *found.calibration : calibrate::nominal_calibration(rig);
+}
+
+}  // namespace limbwave::solve
