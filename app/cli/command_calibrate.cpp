@@ -225,7 +225,8 @@ void add_calibrate(CLI::App& app, Console& console) {
         ->expected(0, 1)
         ->default_str("-");
     procedure->footer(std::string("Example: limbwave calibrate ") + name + " session.take");
-    procedure->callback([options, procedure, run, &console] { run(*options, procedure->count("--json") > 0, console); });
+    procedure->callback(
+        [options, procedure, run, &console] { run(*options, procedure->count("--json") > 0, console); });
   };
   add("range", "Offset and scale of the sensors, from slow rotation about all axes", calibrate_range, false);
   add("limb", "How the sensors sit on the limbs, from two poses", calibrate_limb, true);

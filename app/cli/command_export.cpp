@@ -22,12 +22,15 @@ motion::Clip load_clip(const std::string& input, const std::string& solve, Conso
     return console.check(solve::load_solve(take, solve)).clip;
   }
   if (extension == ".bvh") {
-    return console.check(interchange::read_bvh_file(path)).clip;
+    interchange::BvhReadOptions read;
+    read.metres_per_unit = std::nullopt;  // the file does not say; the skeleton's size does
+    return console.check(interchange::load_bvh(path, read));
   }
   if (extension == ".glb") {
-    return console.check(interchange::read_glb_file(path));
+    return console.check(interchange::load_glb(path));
   }
-  console.fail({"is neither a take nor an animation that can be read", input, "name a take's folder, a .bvh or a .glb"});
+  console.fail(
+      {"is neither a take nor an animation that can be read", input, "name a take's folder, a .bvh or a .glb"});
 }
 
 }  // namespace
@@ -58,12 +61,13 @@ void add_export(CLI::App& app, Console& console) {
     }
     if (extension == ".bvh") {
       interchange::BvhWriteOptions write;
-      write.centimetres = options->unit == "cm";
-      console.check(interchange::write_bvh_file(clip, output, write));
+      write.unit = options->unit == "cm" ? interchange::BvhUnit::kCentimetres : interchange::BvhUnit::kMetres;
+      write.fps = options->fps;
+      console.check(interchange::write_bvh(clip, output, write, console.progress()));
     } else if (extension == ".csv") {
       console.check(interchange::write_csv_poses_file(clip, output));
     } else if (extension == ".glb") {
-      console.check(interchange::write_glb_file(clip, output));
+      console.check(interchange::write_glb(clip, output));
     } else {
       console.fail({"has an ending that cannot be written", options->output, "use .bvh, .csv or .glb"});
     }

@@ -17,7 +17,8 @@ void add_import(CLI::App& app, Console& console) {
   CLI::App* command =
       app.add_subcommand("import", "Make a take from recordings of an MP3 player, field recorder or sound editor");
   command->add_option("TAKE", options->take, "Folder to make")->required();
-  command->add_option("FILES", options->files, "WAV, W64, RF64, FLAC or AIFF; several: parts of one recording, in order")
+  command
+      ->add_option("FILES", options->files, "WAV, W64, RF64, FLAC or AIFF; several: parts of one recording, in order")
       ->required();
   command->add_option("--rig", options->rig, "Rig: a name or a file")->capture_default_str();
   command->add_option("--subject", options->subject, "Who wore it");

@@ -63,10 +63,11 @@ void record(const Options& options, Console& console) {
   session.stop();
   const auto last = session.snapshot();
   const take::Take take = console.check(session.stop_recording());
-  console.print(fmt::format("{}: {:.2f} s recorded; capture to pose {:.0f} ms mean, {:.0f} ms at most, beyond the "
-                            "device's {:.0f} ms",
-                            options.take, static_cast<double>(take.info.frames) / take.info.format.rate.hz,
-                            1e3 * last->latency_mean_s, 1e3 * last->latency_max_s, 1e3 * last->device_latency_s));
+  console.print(
+      fmt::format("{}: {:.2f} s recorded; capture to pose {:.0f} ms mean, {:.0f} ms at most, beyond the "
+                  "device's {:.0f} ms",
+                  options.take, static_cast<double>(take.info.frames) / take.info.format.rate.hz,
+                  1e3 * last->latency_mean_s, 1e3 * last->latency_max_s, 1e3 * last->device_latency_s));
   console.print(last->diagnostics);
   if (!last->recording_error.empty()) {
     console.fail({"recording stopped early: " + last->recording_error, options.take, "what was recorded is kept"});

@@ -22,8 +22,9 @@ void add_simulate(CLI::App& app, Console& console) {
     motions += (motions.empty() ? "" : ", ") + motion;
   }
   command->add_option("TAKE", options->take, "Folder to make")->required();
-  command->add_option("--motion", options->settings.motion,
-                      "One of " + motions + "; or a .bvh file; or logs of real accelerations (.csv, .csv.gz, .txt)")
+  command
+      ->add_option("--motion", options->settings.motion,
+                   "One of " + motions + "; or a .bvh file; or logs of real accelerations (.csv, .csv.gz, .txt)")
       ->capture_default_str();
   command->add_option("--rig", options->settings.rig, "Rig: a name or a file")->capture_default_str();
   command->add_option("--errors", options->errors, "Error profile: none, paper, another shipped one or a file")

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "solve/report_text.h"
@@ -29,19 +30,22 @@ void add_solve(CLI::App& app, Console& console) {
   command->add_option("--root", options->root, "fixed: the root stays where it is")
       ->check(CLI::IsMember({"fixed"}))
       ->capture_default_str();
-  command->add_option("--smoothing", options->smoothing,
-                      "none; adaptive: weighted by trust, without lag; bridging: also carries over short bursts")
+  command
+      ->add_option("--smoothing", options->smoothing,
+                   "none; adaptive: weighted by trust, without lag; bridging: also carries over short bursts")
       ->check(CLI::IsMember({"none", "adaptive", "bridging"}))
       ->capture_default_str();
   command->add_option("--smoothing-time", options->settings.smoothing_s, "Time scale of smoothing, seconds")
       ->check(CLI::Range(0.0, 2.0))
       ->capture_default_str();
-  command->add_option("--calibration", options->settings.calibration,
-                      "Where the calibration comes from; auto: the first of these that there is")
+  command
+      ->add_option("--calibration", options->settings.calibration,
+                   "Where the calibration comes from; auto: the first of these that there is")
       ->check(CLI::IsMember({"auto", "snapshot", "segments", "library", "nominal"}))
       ->capture_default_str();
-  command->add_option("--coupling", options->coupling,
-                      "Corner of the sound card's high pass, Hz; 0: no correction; otherwise found from the signal")
+  command
+      ->add_option("--coupling", options->coupling,
+                   "Corner of the sound card's high pass, Hz; 0: no correction; otherwise found from the signal")
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--left", options->left, "Polarity of the left channel")
       ->check(CLI::IsMember({"auto", "normal", "inverted"}))

@@ -24,7 +24,9 @@ void on_signal(int) {
 
 }  // namespace
 
-bool Console::interrupted() { return g_interrupted != 0; }
+bool Console::interrupted() {
+  return g_interrupted != 0;
+}
 
 void Console::catch_interrupts() {
   struct sigaction action = {};

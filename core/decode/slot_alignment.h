@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "decode/line_in.h"
@@ -18,6 +19,9 @@ struct AccelerationFrame {
   bool gap_before = false;
 };
 
+/// One frame per cycle, at the middle of the cycle. Every axis is interpolated by the polynomial through its values in
+/// (at most) the three cycles before, this one and the two after. Never across gaps; invalid cycles and clipped values
+/// are no support. A frame of an unusable sensor carries values interpolated from its neighbours, for drawing.
 /// Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
 class SlotAligner {
  public:
@@ -28,10 +32,11 @@ class SlotAligner {
 
  private:
   void emit(std::size_t index);
+  [[nodiscard]] double interpolate(std::size_t index, std::size_t slot, double instant) const;
   int sensors_;
   SampleRate rate_;
-  std::vector<LineInCycle> window_;
-  std::size_t next_ = 0;
+  std::deque<LineInCycle> window_;  // contiguous cycles
+  std::size_t next_ = 0;            // the first one not given out yet
   std::vector<AccelerationFrame> frames_;
 };
 

@@ -8,7 +8,9 @@ namespace {
 
 using Eigen::Quaterniond;
 
-Quaterniond about_vertical(double angle) { return {std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)}; }
+Quaterniond about_vertical(double angle) {
+  return {std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)};
+}
 
 // Joint tracks from world orientations, quaternion signs continuous so that any reader interpolates the short way.
 void set_tracks(motion::Clip& clip, const std::vector<double>& times,

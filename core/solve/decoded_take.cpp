@@ -15,9 +15,8 @@ constexpr std::size_t kBlockFrames = 65536;
 
 // Why there is nothing to solve: the decoder's own words where it has some.
 Error no_signal(const take::Take& take, const Diagnostics& diagnostics) {
-  const auto found = std::max_element(diagnostics.begin(), diagnostics.end(), [](const auto& a, const auto& b) {
-    return a.severity < b.severity;
-  });
+  const auto found = std::max_element(diagnostics.begin(), diagnostics.end(),
+                                      [](const auto& a, const auto& b) { return a.severity < b.severity; });
   const std::string place = take.folder.string();
   if (found == diagnostics.end()) {
     return {"is too short to find the multiplexer's clock in it", place, "record at least a second"};

@@ -17,7 +17,7 @@ struct DecodedTake {
   std::vector<decode::AccelerationFrame> frames;  ///< Of the whole take, in order of time.
   decode::LineInStatus line;
   Diagnostics diagnostics;
-  double seconds = 0.0;                           ///< Wall-clock time that decoding took.
+  double seconds = 0.0;  ///< Wall-clock time that decoding took.
 
   /// Frames from `begin_s` (inclusive) to `end_s` (exclusive), seconds of the take.
   [[nodiscard]] std::span<const decode::AccelerationFrame> between(double begin_s, double end_s) const;

@@ -45,8 +45,12 @@ void FrontEnd::align() {
   }
 }
 
-std::vector<decode::AccelerationFrame> FrontEnd::take_frames() { return aligner_.take_frames(); }
+std::vector<decode::AccelerationFrame> FrontEnd::take_frames() {
+  return aligner_.take_frames();
+}
 
-std::vector<decode::LineInCycle> FrontEnd::take_cycles() { return std::exchange(cycles_, {}); }
+std::vector<decode::LineInCycle> FrontEnd::take_cycles() {
+  return std::exchange(cycles_, {});
+}
 
 }  // namespace limbwave::solve

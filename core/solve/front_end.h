@@ -1,5 +1,5 @@
-/// From raw samples to one instant per cycle: the streaming stages that live and offline share. Results do not depend on
-/// how the samples are cut into blocks.
+/// From raw samples to one instant per cycle: the streaming stages that live and offline share. Results do not depend
+/// on how the samples are cut into blocks.
 #pragma once
 
 #include <span>

@@ -24,9 +24,9 @@ void LivePose::push(const decode::AccelerationFrame& frame) {
       continue;
     }
     const auto segment = static_cast<std::size_t>(segments_[s]);
-    const estimate::ForceSample sample{
-        frame.time_s, calibration_.mounts[s].R_LS * calibration_.sensors[s].apply(frame.volts[s]),
-        (frame.usable >> s & 1U) != 0};
+    const estimate::ForceSample sample{frame.time_s,
+                                       calibration_.mounts[s].R_LS * calibration_.sensors[s].apply(frame.volts[s]),
+                                       (frame.usable >> s & 1U) != 0};
     const estimate::Inclination inclination = trackers_[s].push(sample);
     if (inclination.known) {
       R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, R_WL_[segment]);

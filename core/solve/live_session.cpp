@@ -25,7 +25,9 @@ constexpr std::size_t kKeptFrames = 600;  // ten seconds at the nominal cycle ra
 constexpr std::size_t kKeptDiagnostics = 100;
 constexpr double kLatencyWindow_s = 5.0;
 
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 // The newest elements of a stream, the older ones forgotten in batches.
 template <typename T>
@@ -175,10 +177,10 @@ void LiveSession::Impl::note(const Diagnostics& found) {
     return;
   }
   for (const Diagnostic& diagnostic : found) {
-    const std::int64_t stream = diagnostic.time_s >= 0.0 ? format.rate.index(Seconds{diagnostic.time_s}).value
-                                                         : frames_pulled;
-    const std::int64_t sample = std::clamp<std::int64_t>(stream - std::max<std::int64_t>(recording_start, 0), 0,
-                                                         recorder->frames());
+    const std::int64_t stream =
+        diagnostic.time_s >= 0.0 ? format.rate.index(Seconds{diagnostic.time_s}).value : frames_pulled;
+    const std::int64_t sample =
+        std::clamp<std::int64_t>(stream - std::max<std::int64_t>(recording_start, 0), 0, recorder->frames());
     std::string text = diagnostic.message;
     if (!diagnostic.remedy.empty()) {
       text += "; " + diagnostic.remedy;

@@ -90,25 +90,26 @@ nlohmann::json report_to_json(const Solve& solve) {
                            {"time_s", diagnostic.time_s}});
   }
   const decode::LineInStatus& line = report.line;
-  return {{"calibration", report.calibration},
-          {"sensors", sensors},
-          {"line",
-           {{"cycle_rate_hz", line.cycle_rate_hz},
-            {"clock_jitter", line.clock_jitter},
-            {"left_coupling_hz", line.left_coupling_hz},
-            {"right_coupling_hz", line.right_coupling_hz},
-            {"coupling_sd_hz", line.coupling_sd_hz},
-            {"noise", line.noise},
-            {"left_inverted", line.left_inverted},
-            {"right_inverted", line.right_inverted},
-            {"swapped", line.swapped},
-            {"left_peak", line.left_peak},
-            {"right_peak", line.right_peak},
-            {"cycles", line.cycles},
-            {"lost_cycles", line.lost_cycles},
-            {"clipped_slots", line.clipped_slots}}},
-          {"diagnostics", diagnostics},
-          {"seconds", {{"take", report.take_seconds}, {"decode", report.decode_seconds}, {"solve", report.solve_seconds}}}};
+  return {
+      {"calibration", report.calibration},
+      {"sensors", sensors},
+      {"line",
+       {{"cycle_rate_hz", line.cycle_rate_hz},
+        {"clock_jitter", line.clock_jitter},
+        {"left_coupling_hz", line.left_coupling_hz},
+        {"right_coupling_hz", line.right_coupling_hz},
+        {"coupling_sd_hz", line.coupling_sd_hz},
+        {"noise", line.noise},
+        {"left_inverted", line.left_inverted},
+        {"right_inverted", line.right_inverted},
+        {"swapped", line.swapped},
+        {"left_peak", line.left_peak},
+        {"right_peak", line.right_peak},
+        {"cycles", line.cycles},
+        {"lost_cycles", line.lost_cycles},
+        {"clipped_slots", line.clipped_slots}}},
+      {"diagnostics", diagnostics},
+      {"seconds", {{"take", report.take_seconds}, {"decode", report.decode_seconds}, {"solve", report.solve_seconds}}}};
 }
 
 QualityReport report_from_json(const nlohmann::json& json) {

@@ -10,11 +10,11 @@
 namespace limbwave::solve {
 namespace {
 
-constexpr std::size_t kWindow = 60;        // frames: one second at the nominal rate
-constexpr double kStillDeviation_g = 0.03; // quieter than any worn limb that moves
-constexpr double kNormTolerance_g = 0.1;   // a calibrated sensor at rest is nearer to 1 g
+constexpr std::size_t kWindow = 60;         // frames: one second at the nominal rate
+constexpr double kStillDeviation_g = 0.03;  // quieter than any worn limb that moves
+constexpr double kNormTolerance_g = 0.1;    // a calibrated sensor at rest is nearer to 1 g
 constexpr double kUncalibratedTolerance_g = 0.3;
-constexpr double kFrozenVolts = 1e-7;      // no real sensor and line repeat a reading like this
+constexpr double kFrozenVolts = 1e-7;  // no real sensor and line repeat a reading like this
 
 }  // namespace
 

@@ -23,9 +23,9 @@ std::vector<estimate::ForceSample> forces(Frames frames, std::size_t sensor,
   std::vector<estimate::ForceSample> samples;
   samples.reserve(frames.size());
   for (const decode::AccelerationFrame& frame : frames) {
-    samples.push_back(
-        {frame.time_s, calibration.mounts[sensor].R_LS * calibration.sensors[sensor].apply(frame.volts[sensor]),
-         (frame.usable >> sensor & 1U) != 0});
+    samples.push_back({frame.time_s,
+                       calibration.mounts[sensor].R_LS * calibration.sensors[sensor].apply(frame.volts[sensor]),
+                       (frame.usable >> sensor & 1U) != 0});
   }
   return samples;
 }
@@ -42,10 +42,10 @@ void correct_gain(Frames frames, calibrate::RigCalibration& calibration, Diagnos
   }
   diagnostics.push_back(
       {std::abs(gain->gain - 1.0) > 0.05 ? Severity::kWarning : Severity::kInfo, "gain.corrected",
-       fmt::format("the line is {:.2f} ± {:.2f} % {} than on the day of calibration; gravity at rest showed it and it was "
-                   "corrected",
-                   100.0 * std::abs(gain->gain - 1.0), 100.0 * gain->standard_error,
-                   gain->gain > 1.0 ? "quieter" : "louder"),
+       fmt::format(
+           "the line is {:.2f} ± {:.2f} % {} than on the day of calibration; gravity at rest showed it and it was "
+           "corrected",
+           100.0 * std::abs(gain->gain - 1.0), 100.0 * gain->standard_error, gain->gain > 1.0 ? "quieter" : "louder"),
        "", "", -1.0});
 }
 

@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Status check_name(const std::string& name) {
-  const bool plain = !name.empty() && name.size() <= 100 && name.front() != '.' &&
-                     name.find_first_of("/\\\0") == std::string::npos;
+  const bool plain =
+      !name.empty() && name.size() <= 100 && name.front() != '.' && name.find_first_of("/\\\0") == std::string::npos;
   if (!plain) {
     return Error{"cannot be the name of a solve", "\"" + name + "\"", "use letters, digits, spaces and dashes"};
   }
@@ -52,7 +52,7 @@ Result<nlohmann::json> load_json(const fs::path& path) {
 }
 
 Status write_parts(const fs::path& folder, const Solve& solve) {
-  if (const Status status = interchange::write_glb_file(solve.clip, folder / "clip.glb"); !status) {
+  if (const Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
     return status;
   }
   if (const Status status = write_file(folder / "settings.json", settings_to_json(solve.settings).dump(2) + "\n");
@@ -93,7 +93,8 @@ Status save_solve(const take::Take& take, const Solve& solve) {
     std::error_code ignored;
     fs::rename(old, target, ignored);
     fs::remove_all(part, ignored);
-    return Error{"cannot be written (" + code.message() + ")", target.string(), "check that you may write into the take"};
+    return Error{"cannot be written (" + code.message() + ")", target.string(),
+                 "check that you may write into the take"};
   }
   fs::remove_all(old, code);
   return {};
@@ -116,7 +117,7 @@ Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   if (!settings) {
     return settings.error();
   }
-  Result<motion::Clip> clip = interchange::read_glb_file(folder / "clip.glb");
+  Result<motion::Clip> clip = interchange::load_glb(folder / "clip.glb");
   if (!clip) {
     return clip.error();
   }

@@ -35,13 +35,14 @@ std::vector<int> nominal_sensors(const calibrate::RigCalibration& calibration) {
 // Those of a group whose mounting is known from the rig file alone.
 std::vector<int> nominal_mounts(const calibrate::RigCalibration& calibration, const body::CalibrationGroup& group) {
   std::vector<int> sensors;
-  std::copy_if(group.sensors.begin(), group.sensors.end(), std::back_inserter(sensors), [&](int s) {
-    return calibration.mounts[static_cast<std::size_t>(s)].method == kNominal;
-  });
+  std::copy_if(group.sensors.begin(), group.sensors.end(), std::back_inserter(sensors),
+               [&](int s) { return calibration.mounts[static_cast<std::size_t>(s)].method == kNominal; });
   return sensors;
 }
 
-void add(Diagnostics& to, const Diagnostics& from) { to.insert(to.end(), from.begin(), from.end()); }
+void add(Diagnostics& to, const Diagnostics& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
 
 // What `base` has only from the data sheet, from the take's own "range" and "pose:..." segments; empty when they give
 // nothing.
@@ -76,8 +77,8 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
     if (first == nullptr || second == nullptr || sensors.empty()) {
       continue;
     }
-    const Result<calibrate::LimbResult> limb = calibrate_limb(
-        take, static_cast<int>(g), decoded.of(take, *first), decoded.of(take, *second), chosen.calibration, sensors);
+    const Result<calibrate::LimbResult> limb = calibrate_limb(take, static_cast<int>(g), decoded.of(take, *first),
+                                                              decoded.of(take, *second), chosen.calibration, sensors);
     if (!limb) {
       chosen.diagnostics.push_back({Severity::kWarning, "calibration.limb-failed",
                                     "limb calibration failed: " + limb.error().message, limb.error().remedy,
@@ -95,7 +96,8 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
     return std::nullopt;
   }
   chosen.explanation = fmt::format(
-      "from the take's own calibration: range of {} of {} sensors (residual at most {:.4f} g), mounting of {} (poses at "
+      "from the take's own calibration: range of {} of {} sensors (residual at most {:.4f} g), mounting of {} (poses "
+      "at "
       "most {:.1f}° from perpendicular)",
       ranges, rig.accelerometers.size(), worst_residual, mounts, worst_angle);
   return chosen;
@@ -167,8 +169,8 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
     }
   }
   if ((automatic || wanted == "snapshot") && has_snapshot) {
-    return ChosenCalibration{*take.info.calibration, "snapshot",
-                             "as recorded in the take, of " + newest_date(*take.info.calibration), {}};
+    return ChosenCalibration{
+        *take.info.calibration, "snapshot", "as recorded in the take, of " + newest_date(*take.info.calibration), {}};
   }
   if (automatic || wanted == "library") {
     const take::LibraryLookup found = take::library_calibration(rig, take.info.subject);

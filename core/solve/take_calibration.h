@@ -37,8 +37,8 @@ Result<calibrate::LimbResult> calibrate_limb(const take::Take& take, int group,
 /// The calibration that a solve uses, and where it is from.
 struct ChosenCalibration {
   calibrate::RigCalibration calibration;
-  std::string source;        ///< "snapshot", "segments", "library" or "nominal".
-  std::string explanation;   ///< For people, with dates or residuals.
+  std::string source;       ///< "snapshot", "segments", "library" or "nominal".
+  std::string explanation;  ///< For people, with dates or residuals.
   Diagnostics diagnostics;
 };
 

@@ -56,7 +56,9 @@ TEST(Rig, RefusalsNameThePathOfTheKey) {
       {[](json& v) { v["accelerometers"].erase(4); }, "/accelerometers"},
       {[](json& v) { v["accelerometers"][1]["name"] = v["accelerometers"][0]["name"]; }, "/accelerometers/1/name"},
       {[](json& v) { v["calibration_groups"][0]["sensors"][0] = "knee"; }, "/calibration_groups/0/sensors/0"},
-      {[](json& v) { v["calibration_groups"][0]["second"]["gravity"] = {0, 0, 1}; },
+      {[](json& v) {
+         v["calibration_groups"][0]["second"]["gravity"] = {0, 0, 1};
+       },
        "/calibration_groups/0/second/gravity"},
   };
   for (const auto& c : cases) {

@@ -61,7 +61,10 @@ TEST(Skeleton, RefusalsNameThePathOfTheKey) {
       {[](json& v) { v["segments"][1]["name"] = "a"; }, "/segments/1/name"},
       {[](json& v) { v["segments"][0]["length_m"] = -1; }, "/segments/0/length_m"},
       {[](json& v) { v["segments"][0]["length_m"] = "long"; }, "/segments/0/length_m: is not a number"},
-      {[](json& v) { v["segments"][0]["rest"] = {1, 1, 0, 0}; }, "/segments/0/rest"},
+      {[](json& v) {
+         v["segments"][0]["rest"] = {1, 1, 0, 0};
+       },
+       "/segments/0/rest"},
       {[](json& v) { v["segments"][1]["joint"]["minimum_deg"] = {200}; }, "/segments/1/joint/minimum_deg"},
       {[](json& v) { v["segments"][1]["joint"]["kind"] = "rubber"; }, "/segments/1/joint/kind"},
       {[](json& v) { v["segments"][1].erase("parent"); }, "has no parent"},

@@ -20,7 +20,9 @@ const QColor kLeft(86, 180, 233);
 const QColor kRight(230, 159, 0);
 const QColor kAxes[] = {QColor(213, 94, 0), QColor(0, 158, 115), QColor(86, 180, 233)};
 
-QString text(const char* source) { return QCoreApplication::translate("SignalsPicture", source); }
+QString text(const char* source) {
+  return QCoreApplication::translate("SignalsPicture", source);
+}
 
 struct Decoded {
   std::vector<decode::AccelerationFrame> frames;
@@ -88,8 +90,9 @@ void draw_scope(QPainter& painter, const QRectF& area, const Decoded& decoded, i
     if (slot < slots) {
       const QString label = slot == slots - 1 ? text("ref") : QString::number(slot);
       painter.setPen(kText);
-      painter.drawText(QRectF(x(left), area.top() + 2, area.width() * decoded.cycle.period_samples / frames / slots, 18),
-                       Qt::AlignCenter, label);
+      painter.drawText(
+          QRectF(x(left), area.top() + 2, area.width() * decoded.cycle.period_samples / frames / slots, 18),
+          Qt::AlignCenter, label);
     }
   }
   for (int channel = 0; channel < 2; ++channel) {
@@ -104,8 +107,8 @@ void draw_scope(QPainter& painter, const QRectF& area, const Decoded& decoded, i
 }
 
 void draw_accelerations(QPainter& painter, const QRectF& area, const take::Take& take, std::size_t sensor,
-                        const std::vector<decode::AccelerationFrame>& frames, const calibrate::RigCalibration& calibration,
-                        double from_s, double to_s) {
+                        const std::vector<decode::AccelerationFrame>& frames,
+                        const calibrate::RigCalibration& calibration, double from_s, double to_s) {
   painter.fillRect(area, kPanel);
   const auto x = [&](double time) { return area.left() + area.width() * (time - from_s) / (to_s - from_s); };
   const auto y = [&](double g) { return area.center().y() - area.height() * g / 4.4; };
@@ -149,7 +152,8 @@ Result<QImage> signals_picture(const take::Take& take, QSize size) {
   const double margin = 16.0;
   const double scope_height = 0.34 * size.height();
   painter.setPen(kText);
-  painter.drawText(QPointF(margin, 26.0), text("Raw signal, one cycle: left channel (blue) with its slots, right channel (orange)"));
+  painter.drawText(QPointF(margin, 26.0),
+                   text("Raw signal, one cycle: left channel (blue) with its slots, right channel (orange)"));
   draw_scope(painter, QRectF(margin, 36.0, size.width() - 2 * margin, scope_height - 44.0), *decoded,
              take.info.rig.line_in.slots);
   const take::TakeSegment capture = take.info.capture();
@@ -164,9 +168,9 @@ Result<QImage> signals_picture(const take::Take& take, QSize size) {
   const double top = scope_height + 30.0;
   const double height = (size.height() - top - margin) / static_cast<double>(sensors);
   for (std::size_t sensor = 0; sensor < sensors; ++sensor) {
-    draw_accelerations(painter,
-                       QRectF(margin, top + height * static_cast<double>(sensor), size.width() - 2 * margin, height - 6.0),
-                       take, sensor, decoded->frames, calibration, from, to);
+    draw_accelerations(
+        painter, QRectF(margin, top + height * static_cast<double>(sensor), size.width() - 2 * margin, height - 6.0),
+        take, sensor, decoded->frames, calibration, from, to);
   }
   return image;
 }

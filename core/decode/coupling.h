@@ -1,0 +1,55 @@
+/// How fast a capacitor-coupled channel forgets, estimated from the signal itself.
+#pragma once
+
+#include <array>
+
+#include "decode/cycle_measurement.h"
+
+namespace limbwave::decode {
+
+/// Weighted regression slope = −κ (level − c) + noise with fading memory. κ is per sample: 2π · corner / rate.
+class DecayRegression {
+ public:
+  /// A level and its slope (value per sample).
+  void add(double level, double slope);
+  /// Multiplies the weight of everything so far.
+  void fade(double factor);
+  struct Estimate {
+    double kappa = 0.0;
+    double sd = 1e9;      ///< Standard deviation of kappa; huge when nothing can be told.
+    double offset = 0.0;  ///< c: what the level decays to.
+  };
+  [[nodiscard]] Estimate estimate() const;
+
+ private:
+  double weight_ = 0.0, level_ = 0.0, slope_ = 0.0;  // sums
+  double level_level_ = 0.0, level_slope_ = 0.0, slope_slope_ = 0.0;
+};
+
+/// Both channels' coupling. The counter's is known precisely after a few cycles; it is the prior for the data channel,
+/// whose slopes are corrected for the motion seen from cycle to cycle, so that moving signals do not bias it.
+class CouplingEstimator {
+ public:
+  /// `memory_cycles`: after so many cycles a reading's weight has fallen to 1/e.
+  explicit CouplingEstimator(double memory_cycles) : memory_cycles_(memory_cycles) {}
+  /// The next cycle's readings and its slot levels relative to the reference slot, corrected with the estimate so far,
+  /// in fractions of full scale.
+  void add(const CycleMeasurement& cycle, const std::array<double, kMaxSlots>& levels, int slots);
+  /// The next cycle does not follow the last one.
+  void unlink() { waiting_ = 0; }
+  [[nodiscard]] DecayRegression::Estimate counter() const { return counter_.estimate(); }
+  /// Data channel, prior included; kappa is not negative.
+  [[nodiscard]] DecayRegression::Estimate data() const;
+
+ private:
+  struct Waiting {
+    CycleMeasurement cycle;
+    std::array<double, kMaxSlots> levels{};
+  };
+  double memory_cycles_;
+  DecayRegression counter_, data_;
+  std::array<Waiting, 2> window_;  // the cycle before, and the one in the middle
+  int waiting_ = 0;
+};
+
+}  // namespace limbwave::decode

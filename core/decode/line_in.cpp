@@ -1,0 +1,427 @@
+#include "decode/line_in.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "base/units.h"
+#include "decode/counter_edges.h"
+#include "decode/coupling.h"
+#include "decode/cycle_measurement.h"
+#include "decode/finding_log.h"
+#include "decode/line_judge.h"
+#include "decode/line_monitor.h"
+#include "decode/peak_meter.h"
+#include "decode/reference_filter.h"
+#include "decode/swing_tracker.h"
+
+namespace limbwave::decode {
+namespace {
+
+constexpr double kJudged_s = 1.0;      // heard before the line is judged
+constexpr double kJudgeAgain_s = 0.5;  // step of further tries
+constexpr double kLost_s = 0.5;        // without a cycle the line is judged anew
+constexpr double kCouplingMemory_s = 60.0;
+constexpr double kEdgeThreshold = 0.25;  // of the counter's swing
+constexpr int kToldEach = 5;             // findings of a kind before they are only counted
+constexpr std::size_t kChunk = 4096;     // frames handled at once: stays in the cache
+
+}  // namespace
+
+struct LineInDecoder::Impl {
+  Impl(const LineInFormat& board, SampleRate sample_rate, const LineInParameters& user)
+      : format(board),
+        rate(sample_rate),
+        parameters(user),
+        scales(board, sample_rate),
+        memory_cycles(kCouplingMemory_s * board.cycle_rate_hz),
+        scanner(scales, 0),
+        tracker(board, sample_rate),
+        meter(board, user.settle_fraction),
+        coupling(memory_cycles),
+        swing(0.0, false),
+        log(kToldEach),
+        monitor(board, sample_rate, log),
+        left_peaks(sample_rate),
+        right_peaks(sample_rate) {}
+
+  // Samples: one contiguous stretch, [first, position).
+  void push(std::span<const float> interleaved);
+  void append(std::span<const float> interleaved);
+  void append_with_holes(std::span<const float> interleaved);
+  void end_stretch();
+  void start_stretch();
+  void end_hole();
+  void drop_old();
+  [[nodiscard]] ChannelView view(const std::vector<float>& channel) const { return {channel.data(), first, position}; }
+  [[nodiscard]] ChannelView data_view() const { return view(status.swapped ? right : left); }
+  [[nodiscard]] ChannelView counter_view() const { return view(status.swapped ? left : right); }
+
+  // Decoding. `end`: no more samples follow in this stretch.
+  void process(bool end);
+  bool judge(bool end);
+  bool scan(bool end);
+  void lose_line(double at);
+  void decode_cycle(const CycleBounds& bounds);
+  void report_lost(double from, double to, bool found);
+  [[nodiscard]] DecayRegression::Estimate data_coupling() const;
+  [[nodiscard]] std::int64_t samples(double seconds) const { return std::llround(seconds * rate.hz); }
+
+  LineInFormat format;
+  SampleRate rate;
+  LineInParameters parameters;
+  EdgeScales scales;
+  double memory_cycles;
+
+  std::vector<float> left, right;
+  std::int64_t first = 0, position = 0;
+  std::int64_t hole_from = -1;  // start of a run of non-finite samples
+
+  bool judged = false;
+  std::int64_t judge_from = 0;    // start of the stretch to judge
+  std::int64_t judged_until = 0;  // coupling has learnt from everything before
+  std::string told_failure;       // why the line cannot be used, as told last
+  StepScanner scanner;
+  std::optional<StepScanner::Step> step;  // found, but its surroundings are not all there yet
+  CycleTracker tracker;
+  CycleMeter meter;
+  CouplingEstimator coupling;
+  ReferenceFilter reference;
+  SwingTracker swing;
+  double noise = 0.0, jitter = 0.0;
+  double deadline = 0.0;  // no cycle until then: the line is lost
+  bool any_cycle = false, was_usable = true, told_lost = false;
+  bool interrupted = false;  // samples are known to be missing since the last cycle
+  double last_end = 0.0, last_period = 0.0;
+  std::int64_t last_number = -1;
+
+  FindingLog log;
+  LineMonitor monitor;
+  PeakMeter left_peaks, right_peaks;
+  LineInStatus status;
+  std::vector<LineInCycle> cycles;
+};
+
+void LineInDecoder::Impl::push(std::span<const float> interleaved) {
+  for (std::size_t at = 0; at < interleaved.size(); at += 2 * kChunk) {
+    const auto chunk = interleaved.subspan(at, std::min(2 * kChunk, interleaved.size() - at));
+    if (hole_from < 0 && all_finite(chunk)) {
+      append(chunk);
+      process(false);
+    } else {
+      append_with_holes(chunk);
+    }
+  }
+  status.left_peak = left_peaks.peak();
+  status.right_peak = right_peaks.peak();
+}
+
+void LineInDecoder::Impl::append(std::span<const float> interleaved) {
+  const std::size_t frames = interleaved.size() / 2;
+  const std::size_t old = left.size();
+  left.resize(old + frames);
+  right.resize(old + frames);
+  for (std::size_t i = 0; i < frames; ++i) {
+    left[old + i] = interleaved[2 * i];
+    right[old + i] = interleaved[2 * i + 1];
+  }
+  left_peaks.add(position, std::span(left).subspan(old));
+  right_peaks.add(position, std::span(right).subspan(old));
+  position += static_cast<std::int64_t>(frames);
+}
+
+void LineInDecoder::Impl::append_with_holes(std::span<const float> interleaved) {
+  const std::size_t frames = interleaved.size() / 2;
+  std::size_t at = 0;
+  while (at < frames) {
+    const bool good = std::isfinite(interleaved[2 * at]) && std::isfinite(interleaved[2 * at + 1]);
+    std::size_t to = at + 1;
+    while (to < frames && (std::isfinite(interleaved[2 * to]) && std::isfinite(interleaved[2 * to + 1])) == good) {
+      ++to;
+    }
+    if (good) {
+      end_hole();
+      append(interleaved.subspan(2 * at, 2 * (to - at)));
+      process(false);
+    } else {
+      if (hole_from < 0) {
+        hole_from = position;
+        end_stretch();
+      }
+      position += static_cast<std::int64_t>(to - at);
+    }
+    at = to;
+  }
+}
+
+void LineInDecoder::Impl::end_hole() {
+  if (hole_from >= 0) {
+    log.add({Severity::kError, "line-in.not-finite", fmt::format("{} samples are not numbers", position - hole_from),
+             "The file or device delivers broken data: record again or convert the file anew", "",
+             static_cast<double>(hole_from) / rate.hz});
+    hole_from = -1;
+    start_stretch();
+  }
+}
+
+void LineInDecoder::Impl::end_stretch() {
+  process(true);
+  left.clear();
+  right.clear();
+  step.reset();
+  meter.unlink();
+  reference.restart();
+  coupling.unlink();
+  tracker.restart(tracker.half());
+  interrupted = true;
+}
+
+void LineInDecoder::Impl::start_stretch() {
+  first = position;
+  judge_from = position;
+  scanner = StepScanner(scales, position);
+  deadline = static_cast<double>(position) + kLost_s * rate.hz;
+}
+
+void LineInDecoder::Impl::process(bool end) {
+  while (judged ? scan(end) : judge(end)) {
+  }
+  if (!end) {
+    drop_old();
+  }
+}
+
+bool LineInDecoder::Impl::judge(bool end) {
+  const std::int64_t until = std::min(position, judge_from + samples(kJudged_s));
+  if (until <= judge_from || (until - judge_from < samples(kJudged_s) && !end)) {
+    return false;
+  }
+  const auto part = [&](const std::vector<float>& channel) {
+    return ChannelView{channel.data() + (judge_from - first), judge_from, until};
+  };
+  LineJudgement judgement = judge_line(part(left), part(right), format, rate, parameters, memory_cycles);
+  status.decided = true;
+  if (!judgement.usable) {
+    // A failure is told once, not every half second that it lasts.
+    for (Diagnostic& finding : judgement.findings) {
+      const bool only_short = finding.code == "line-in.too-short" && (any_cycle || !told_failure.empty());
+      if (finding.severity == Severity::kError && finding.code != told_failure && !only_short) {
+        told_failure = finding.code;
+        log.add(std::move(finding));
+      }
+    }
+    judge_from = std::min(position, judge_from + samples(kJudgeAgain_s));
+    return true;
+  }
+  told_failure.clear();
+  for (Diagnostic& finding : judgement.findings) {
+    log.add(std::move(finding));
+  }
+  judged = true;
+  judged_until = until;
+  status.swapped = judgement.swapped;
+  status.left_inverted = judgement.left_inverted;
+  status.right_inverted = judgement.right_inverted;
+  coupling = judgement.coupling;
+  noise = judgement.noise;
+  swing = SwingTracker(judgement.swing, judgement.right_inverted);
+  reference = ReferenceFilter();
+  meter.unlink();
+  tracker.restart(judgement.half_samples);
+  scanner = StepScanner(scales, judge_from);
+  step.reset();
+  deadline = static_cast<double>(until) + kLost_s * rate.hz;
+  return true;
+}
+
+bool LineInDecoder::Impl::scan(bool end) {
+  const ChannelView counter = counter_view();
+  const double threshold = kEdgeThreshold * swing.swing();
+  if (!step) {
+    step = scanner.next(counter, threshold, end);
+  }
+  // Decisions go by positions alone: a step after the deadline is not looked at, however early it was pushed.
+  const double reached = step ? static_cast<double>(step->near) : static_cast<double>(scanner.position());
+  if (reached > deadline) {
+    lose_line(deadline);
+    return true;
+  }
+  if (!step || (!end && step->near + scales.reach() > position)) {
+    return false;
+  }
+  auto edge = time_edge(counter, step->near, coupling.counter().kappa, scales);
+  step.reset();
+  if (edge) {
+    edge->rising = edge->rising != status.right_inverted;
+    if (const auto bounds = tracker.push(*edge)) {
+      decode_cycle(*bounds);
+    }
+  }
+  return true;
+}
+
+void LineInDecoder::Impl::lose_line(double at) {
+  judged = false;
+  status.locked = false;
+  if (any_cycle && !told_lost && !interrupted) {
+    report_lost(last_end, at, false);
+    told_lost = true;
+  }
+  judge_from = std::clamp(static_cast<std::int64_t>(at - kLost_s * rate.hz), first, position);
+  step.reset();
+}
+
+void LineInDecoder::Impl::report_lost(double from, double to, bool found) {
+  log.add({Severity::kWarning, "line-in.sync-lost",
+           found ? fmt::format("the counter was lost for {:.0f} ms ({:.0f} cycles)", 1e3 * (to - from) / rate.hz,
+                               (to - from) / last_period)
+                 : fmt::format("the counter is gone (nothing for {:.0f} ms)", 1e3 * (to - from) / rate.hz),
+           "Check the plug and the cable; if samples were dropped, close other programs or take a larger buffer", "",
+           from / rate.hz});
+}
+
+DecayRegression::Estimate LineInDecoder::Impl::data_coupling() const {
+  DecayRegression::Estimate estimate = coupling.data();
+  if (parameters.coupling_hz) {
+    estimate.kappa = 2.0 * std::tan(kPi * *parameters.coupling_hz / rate.hz);
+    estimate.sd = 0.0;
+  }
+  return estimate;
+}
+
+void LineInDecoder::Impl::decode_cycle(const CycleBounds& bounds) {
+  const double period = bounds.end - bounds.start;
+  LineInCycle out;
+  out.start_sample = bounds.start;
+  out.period_samples = period;
+  const bool follows = any_cycle && std::fabs(bounds.start - last_end) < 1e-9;
+  out.number = last_number + 1;
+  if (any_cycle && !follows) {
+    const auto lost = std::max<std::int64_t>(0, std::llround((bounds.start - last_end) / period));
+    out.number += lost;
+    out.gap_before = true;
+    status.lost_cycles += lost;
+    if (!interrupted && !told_lost) {
+      report_lost(last_end, bounds.start, true);
+    }
+  }
+  const CycleMeasurement measured = meter.measure(bounds, data_view(), counter_view());
+  const SwingTracker::Reading gain = swing.step(measured, coupling.counter());
+  if (gain.moved || !gain.usable || !was_usable) {
+    reference.restart();  // levels before and after a change of gain are not comparable
+    coupling.unlink();
+  }
+  const DecayRegression::Estimate estimate = data_coupling();
+  const auto line = reference.step(measured, format.slots, estimate, noise);
+  const auto levels = relative_levels(measured, line, estimate.kappa, format.slots);
+  if (bounds.start >= static_cast<double>(judged_until) && gain.usable) {
+    coupling.add(measured, levels, format.slots);
+  }
+
+  const double scale = (status.left_inverted ? -1.0 : 1.0) * format.supply_volts / std::max(gain.swing, 1e-12);
+  double variance = 0.0;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(format.slots); ++j) {
+    out.sample[j] = measured.slots[j].centre;
+    out.volts[j] = scale * levels[j];
+    variance += measured.slots[j].variance / format.slots;
+  }
+  const std::uint32_t reference_bit = 1U << static_cast<unsigned>(format.slots - 1);
+  // Every value is relative to the reference: without it there is none.
+  out.clipped = (measured.clipped & reference_bit) != 0 ? (reference_bit << 1U) - 1U : measured.clipped;
+  out.valid = gain.usable;
+  if (out.valid && out.clipped == 0) {
+    noise = std::sqrt(noise * noise + (variance - noise * noise) / 30.0);
+  }
+  monitor.step(out, measured.counter_clipped, gain);
+
+  if (follows) {
+    const double change = (period - last_period) / period;
+    jitter += (change * change - jitter) / 30.0;
+  }
+  was_usable = gain.usable;
+  any_cycle = true;
+  told_lost = interrupted = false;
+  last_end = bounds.end;
+  last_period = period;
+  last_number = out.number;
+  deadline = bounds.end + kLost_s * rate.hz;
+
+  const auto corner = [&](double kappa) { return rate.hz / kPi * std::atan(0.5 * kappa); };
+  status.locked = true;
+  status.cycle_rate_hz = rate.hz / period;
+  status.right_swing = swing.swing();
+  status.left_coupling_hz = corner(estimate.kappa);
+  status.right_coupling_hz = corner(std::max(0.0, coupling.counter().kappa));
+  status.coupling_sd_hz = corner(estimate.sd);
+  status.noise = noise;
+  status.clock_jitter = std::sqrt(jitter);
+  ++status.cycles;
+  for (std::uint32_t bits = out.clipped; bits != 0; bits &= bits - 1) {
+    ++status.clipped_slots;
+  }
+  cycles.push_back(out);
+}
+
+void LineInDecoder::Impl::drop_old() {
+  std::int64_t keep = judge_from;
+  if (judged) {
+    // The cycle that is under way, and what a judgement would start from if the line were lost now.
+    keep =
+        std::min({scanner.needs_from(), meter.needs_from(), static_cast<std::int64_t>(deadline - kLost_s * rate.hz)}) -
+        4 * scales.reach();
+  }
+  const std::int64_t old = keep - first;
+  if (old > static_cast<std::int64_t>(kChunk) && 2 * old > static_cast<std::int64_t>(left.size())) {
+    left.erase(left.begin(), left.begin() + old);
+    right.erase(right.begin(), right.begin() + old);
+    first = keep;
+  }
+}
+
+LineInDecoder::LineInDecoder(const LineInFormat& format, SampleRate rate, const LineInParameters& parameters)
+    : impl_(std::make_unique<Impl>(format, rate, parameters)) {
+  assert(format.slots >= 4 && format.slots <= kMaxSlots && format.slots % 2 == 0);
+  assert(rate.hz > 0.0 && format.cycle_rate_hz > 0.0);
+}
+LineInDecoder::~LineInDecoder() = default;
+LineInDecoder::LineInDecoder(LineInDecoder&&) noexcept = default;
+LineInDecoder& LineInDecoder::operator=(LineInDecoder&&) noexcept = default;
+
+void LineInDecoder::push(std::span<const float> interleaved) {
+  impl_->push(interleaved);
+}
+
+void LineInDecoder::gap(SampleCount count) {
+  if (count.value <= 0) {
+    return;
+  }
+  impl_->end_hole();
+  impl_->end_stretch();
+  impl_->position += count.value;
+  impl_->start_stretch();
+}
+
+void LineInDecoder::finish() {
+  impl_->end_hole();
+  impl_->end_stretch();
+  impl_->start_stretch();
+  impl_->monitor.finish();
+  impl_->log.summarise();
+}
+
+std::vector<LineInCycle> LineInDecoder::take_cycles() {
+  return std::exchange(impl_->cycles, {});
+}
+
+Diagnostics LineInDecoder::take_diagnostics() {
+  return impl_->log.take();
+}
+
+const LineInStatus& LineInDecoder::status() const {
+  return impl_->status;
+}
+
+}  // namespace limbwave::decode

@@ -1,0 +1,82 @@
+#include "decode/reference_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limbwave::decode {
+namespace {
+
+constexpr double kDriftChange = 1e-6;     // RMS change of the drift per cycle, fraction of full scale per cycle
+constexpr double kInnovationGain = 0.03;  // memory of about half a second
+constexpr double kSmallestVariance = 1e-18;
+
+}  // namespace
+
+ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int slots,
+                                            const DecayRegression::Estimate& coupling, double noise) {
+  const double kappa = coupling.kappa;
+  const LevelReading& reference = cycle.slots[static_cast<std::size_t>(slots - 1)];
+  const double measured_variance = noise * noise * cycle.data_noise_gain + kSmallestVariance;
+  if (!cycle.linked || !known_) {
+    if (!drift_known_) {
+      // The flattened level runs away by κ c per sample.
+      drift_ = kappa * coupling.offset * cycle.period();
+      drift_known_ = true;
+    }
+    known_ = true;
+    level_ = reference.mean;
+    p00_ = measured_variance;
+    p01_ = 0.0;
+    innovation_ = 0.0;
+    return {reference.mean + kappa * reference.integral, reference.centre, drift_ / cycle.period()};
+  }
+  // Predict: level⁻ = level − κ ∫ + drift.
+  const double wander = kappa * noise;
+  const double doubt = coupling.sd * reference.integral;
+  const double level = level_ - kappa * reference.integral + drift_;
+  double q00 = p00_ + 2.0 * p01_ + p11_ + wander * wander * cycle.period() + doubt * doubt + kSmallestVariance;
+  const double q01 = p01_ + p11_;
+  const double q11 = p11_ + kDriftChange * kDriftChange;
+  // What innovations show beyond the model (hum, a second coupling stage) is taken for movement of the level.
+  const double innovation = reference.mean - level;
+  q00 += std::max(0.0, innovation_ - q00 - measured_variance);
+  innovation_ += kInnovationGain * (innovation * innovation - innovation_);
+
+  // Update.
+  const double total = q00 + measured_variance;
+  const double gain0 = q00 / total;
+  const double gain1 = q01 / total;
+  const double new_level = level + gain0 * innovation;
+  const double new_drift = drift_ + gain1 * innovation;
+
+  // What this reference tells of the previous one (Rauch-Tung-Striebel, one step): C = P Fᵀ Q⁻¹, first row.
+  const double determinant = q00 * q11 - q01 * q01;
+  const double f0 = p00_ + p01_;
+  const double f1 = p01_;
+  double previous = level_;
+  if (determinant > 0.0) {
+    previous += ((f0 * q11 - f1 * q01) * gain0 + (f1 * q00 - f0 * q01) * gain1) / determinant * innovation;
+  }
+
+  level_ = new_level;
+  drift_ = new_drift;
+  p00_ = (1.0 - gain0) * q00;
+  p01_ = (1.0 - gain0) * q01;
+  p11_ = q11 - gain1 * q01;
+
+  Line line{level_ + kappa * reference.integral, reference.centre, 0.0};
+  line.slope = (line.level - previous) / (reference.centre - cycle.previous_reference.centre);
+  return line;
+}
+
+std::array<double, kMaxSlots> relative_levels(const CycleMeasurement& cycle, const ReferenceFilter::Line& reference,
+                                              double kappa, int slots) {
+  std::array<double, kMaxSlots> levels{};
+  for (std::size_t j = 0; j < static_cast<std::size_t>(slots); ++j) {
+    const LevelReading& slot = cycle.slots[j];
+    levels[j] = slot.mean + kappa * slot.integral - reference.at(slot.centre);
+  }
+  return levels;
+}
+
+}  // namespace limbwave::decode

@@ -1,0 +1,131 @@
+/// Simulated takes for tests: made in a folder of their own that goes away again, with the truth at hand.
+#pragma once
+
+#include <unistd.h>
+
+#include <Eigen/Geometry>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "simulate/simulate.h"
+#include "take/take.h"
+
+namespace limbwave::testing_support {
+
+/// A folder that is removed with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    static std::atomic<int> counter{0};
+    path_ = std::filesystem::temp_directory_path() /
+            ("limbwave-test-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A test cannot go on without its material.
+template <typename T>
+T require(Result<T> result) {
+  if (!result) {
+    throw std::runtime_error(result.error().text());
+  }
+  return std::move(result).value();
+}
+inline void require(const Status& status) {
+  if (!status) {
+    throw std::runtime_error(status.error().text());
+  }
+}
+
+/// What the sensors of a simulated take really felt, from truth.json.
+class SensorTruth {
+ public:
+  explicit SensorTruth(const std::filesystem::path& take) {
+    std::ifstream file(take / "truth.json");
+    const nlohmann::json json = nlohmann::json::parse(file);
+    rate_hz_ = json.at("rate_hz").get<double>();
+    for (const nlohmann::json& sensor : json.at("sensors")) {
+      std::vector<Eigen::Vector3d>& forces = forces_.emplace_back();
+      for (const nlohmann::json& f : sensor.at("f_S_m_s2")) {
+        forces.emplace_back(f.at(0).get<double>(), f.at(1).get<double>(), f.at(2).get<double>());
+      }
+    }
+    for (const nlohmann::json& segment : json.at("segments")) {
+      std::vector<Eigen::Quaterniond>& rotations = rotations_.emplace_back();
+      for (const nlohmann::json& q : segment.at("q_WL")) {
+        rotations.emplace_back(q.at(0).get<double>(), q.at(1).get<double>(), q.at(2).get<double>(),
+                               q.at(3).get<double>());
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t sensors() const { return forces_.size(); }
+  [[nodiscard]] double duration() const { return static_cast<double>(forces_.front().size() - 1) / rate_hz_; }
+
+  /// Specific force, m/s², sensor frame, without the sensor's own errors: by six-point Lagrange interpolation.
+  [[nodiscard]] Eigen::Vector3d force(std::size_t sensor, double time_s) const {
+    const std::vector<Eigen::Vector3d>& f = forces_.at(sensor);
+    const double position = time_s * rate_hz_;
+    const auto last = static_cast<std::ptrdiff_t>(f.size()) - 6;
+    const std::ptrdiff_t first = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(std::floor(position)) - 2, 0,
+                                                            std::max<std::ptrdiff_t>(last, 0));
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    for (std::ptrdiff_t i = 0; i < 6; ++i) {
+      double weight = 1.0;
+      for (std::ptrdiff_t j = 0; j < 6; ++j) {
+        if (j != i) {
+          weight *= (position - static_cast<double>(first + j)) / static_cast<double>(i - j);
+        }
+      }
+      value += weight * f[static_cast<std::size_t>(first + i)];
+    }
+    return value;
+  }
+
+  /// True when no segment turns by more than 0.001° within 50 ms around a time: a pose is being held.
+  [[nodiscard]] bool holding(double time_s) const {
+    const auto sample = static_cast<std::ptrdiff_t>(time_s * rate_hz_);
+    const auto reach = static_cast<std::ptrdiff_t>(0.05 * rate_hz_);
+    for (const std::vector<Eigen::Quaterniond>& q : rotations_) {
+      if (sample < reach || sample + reach >= static_cast<std::ptrdiff_t>(q.size())) {
+        return false;
+      }
+      const double turn =
+          q[static_cast<std::size_t>(sample - reach)].angularDistance(q[static_cast<std::size_t>(sample + reach)]);
+      if (turn > 2e-5) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  double rate_hz_ = 0.0;
+  std::vector<std::vector<Eigen::Vector3d>> forces_;
+  std::vector<std::vector<Eigen::Quaterniond>> rotations_;
+};
+
+/// Simulates and opens.
+inline take::Take simulated(const std::filesystem::path& folder, const simulate::SimulateSettings& settings) {
+  require(simulate::simulate_take(folder, settings, {}));
+  return require(take::open_take(folder));
+}
+
+}  // namespace limbwave::testing_support
