@@ -29,6 +29,8 @@ RangeAdvice advice_for(const RangeSensorState& state, const calibrate::RangePara
   return progress.enough && progress.coverage >= 0.9 ? RangeAdvice::kEnough : RangeAdvice::kTurnTo;
 }
 
+}  // namespace
+
 std::array<bool, calibrate::SphereCoverage::kCells> visited_cells(const calibrate::RangeProgress& progress) {
   std::array<bool, calibrate::SphereCoverage::kCells> visited{};
   visited.fill(true);
@@ -37,8 +39,6 @@ std::array<bool, calibrate::SphereCoverage::kCells> visited_cells(const calibrat
   }
   return visited;
 }
-
-}  // namespace
 
 RangeWizardModel::RangeWizardModel(CalibrationDesk& desk, QObject* parent) : QObject(parent), desk_(desk) {
   connect(&desk_.source(), &CalibrationSource::arrived, this, &RangeWizardModel::take_frames);

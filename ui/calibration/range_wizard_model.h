@@ -39,6 +39,9 @@ struct RangeOutcome {
   std::array<bool, calibrate::SphereCoverage::kCells> visited{};
 };
 
+/// Which cells of the sphere a running calibration has visited.
+std::array<bool, calibrate::SphereCoverage::kCells> visited_cells(const calibrate::RangeProgress& progress);
+
 class RangeWizardModel : public QObject {
   Q_OBJECT
  public:
