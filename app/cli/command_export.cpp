@@ -65,7 +65,7 @@ void add_export(CLI::App& app, Console& console) {
       write.fps = options->fps;
       console.check(interchange::write_bvh(clip, output, write, console.progress()));
     } else if (extension == ".csv") {
-      console.check(interchange::write_csv_poses_file(clip, output));
+      console.check(interchange::write_csv_poses(clip, output));
     } else if (extension == ".glb") {
       console.check(interchange::write_glb(clip, output));
     } else {

@@ -123,6 +123,7 @@ struct RecordingFile::Impl {
   StreamFormat format;
   Mapping mapping;
   bool count_exact = false;
+  bool is_raw = false;
   bool accept_truncated = false;
   std::optional<std::int64_t> frames;
   std::int64_t done = 0;
@@ -145,6 +146,7 @@ struct RecordingFile::Impl {
   }
 
   std::optional<Error> check_layout(const ContainerLayout& layout);
+  void reopen_as_raw(SF_INFO info, const ContainerLayout& layout);
   sf_count_t read_frames(std::span<std::byte> out, sf_count_t wanted);
   void count_not_numbers(std::span<const std::byte> bytes);
 };
@@ -160,7 +162,7 @@ std::optional<Error> RecordingFile::Impl::check_layout(const ContainerLayout& la
   }
   const auto frame = static_cast<std::uint64_t>(layout.bytes_per_frame);
   const std::uint64_t there = layout.bytes_there();
-  if (layout.data_bytes && *layout.data_bytes / frame > there / frame) {
+  if (layout.data_bytes && *layout.data_bytes >= there + frame) {
     const std::string message = fmt::format("the recording is cut off: its header promises {}, but {} are there",
                                             seconds_text(*layout.data_bytes, layout), seconds_text(there, layout));
     if (!accept_truncated) {
@@ -173,6 +175,23 @@ std::optional<Error> RecordingFile::Impl::check_layout(const ContainerLayout& la
          fmt::format("the last {} of {} bytes are only part of a frame and were left out", there % frame, frame));
   }
   return std::nullopt;
+}
+
+// libsndfile finds nothing in a file whose header says zero; the samples are there all the same.
+void RecordingFile::Impl::reopen_as_raw(SF_INFO info, const ContainerLayout& layout) {
+  const bool is_big = (info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_AIFF;
+  info.format = SF_FORMAT_RAW | (info.format & SF_FORMAT_SUBMASK) | (is_big ? SF_ENDIAN_BIG : SF_ENDIAN_LITTLE);
+  SNDFILE* raw = sf_open(path.c_str(), SFM_READ, &info);
+  if (raw == nullptr) {
+    return;
+  }
+  sf_close(file);
+  file = raw;
+  is_raw = true;
+  auto offset = static_cast<sf_count_t>(layout.data_offset);
+  sf_command(file, SFC_SET_RAW_START_OFFSET, &offset, sizeof offset);
+  sf_seek(file, 0, SEEK_SET);  // the command alone does not move
+  frames = static_cast<std::int64_t>(layout.bytes_there() / static_cast<std::uint64_t>(layout.bytes_per_frame));
 }
 
 Result<RecordingFile> RecordingFile::open(const fs::path& path, const RecordingOptions& options) {
@@ -211,6 +230,9 @@ Result<RecordingFile> RecordingFile::open(const fs::path& path, const RecordingO
     if (std::optional<Error> error = impl->check_layout(*layout)) {
       return *std::move(error);
     }
+  }
+  if (impl->frames == 0 && layout && !layout->data_bytes && layout->bytes_per_frame > 0) {
+    impl->reopen_as_raw(info, *layout);
   }
   if (impl->frames == 0) {
     return error_at(path, "the recording has no samples", "check that the recorder was running");
@@ -294,7 +316,10 @@ void RecordingFile::Impl::count_not_numbers(std::span<const std::byte> bytes) {
 Result<std::size_t> RecordingFile::read(std::span<std::byte> out) {
   Impl& self = *impl_;
   const std::size_t frame = self.format.bytes_per_frame();
-  const auto wanted = static_cast<sf_count_t>(out.size() / frame);
+  auto wanted = static_cast<sf_count_t>(out.size() / frame);
+  if (self.is_raw) {  // libsndfile counts the header as samples there
+    wanted = std::min<sf_count_t>(wanted, *self.frames - self.done);
+  }
   const sf_count_t got = std::max<sf_count_t>(self.read_frames(out, wanted), 0);
   const std::size_t bytes = static_cast<std::size_t>(got) * frame;
   if (self.format.type == SampleType::kFloat32) {

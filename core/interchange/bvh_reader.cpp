@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "geometry/so3.h"
 #include "interchange/bvh_hierarchy.h"
 #include "interchange/bvh_keys.h"
 #include "interchange/frame_rate.h"
@@ -50,8 +51,8 @@ std::vector<Quaterniond> rest_frames(const std::vector<BvhJoint>& joints, const 
     const Quaterniond parent =
         joints[i].parent < 0 ? Quaterniond::Identity() : R_WL[static_cast<std::size_t>(joints[i].parent)];
     const bool has_direction = bones[i].norm() > 1e-9;
-    R_WL[i] = has_direction ? (Quaterniond::FromTwoVectors(parent * Vector3d::UnitX(), bones[i]) * parent).normalized()
-                            : parent;
+    R_WL[i] =
+        has_direction ? (geometry::shortest_arc(parent * Vector3d::UnitX(), bones[i]) * parent).normalized() : parent;
   }
   return R_WL;
 }
@@ -250,7 +251,7 @@ Result<motion::Clip> read_bvh(std::string_view text, const std::string& place, c
   keys.finish(clip, head->frame_time, diagnostics);
   for (std::size_t i = diagnostics_before; i < diagnostics.size(); ++i) {
     std::string& where = diagnostics[i].place;
-    where = where.empty() ? place : place + ", " + where;
+    where.insert(0, where.empty() ? place : fmt::format("{}, ", place));
   }
   return clip;
 }

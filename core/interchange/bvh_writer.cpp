@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "interchange/euler.h"
 #include "interchange/file_axes.h"
+#include "interchange/frame_rate.h"
 #include "interchange/names.h"
 
 namespace limbwave::interchange {
@@ -24,7 +25,6 @@ constexpr int kCentimetreDigits = 6;
 constexpr int kMetreDigits = 8;
 // Cancelling is asked for once in so many frames.
 constexpr std::size_t kFramesPerReport = 1024;
-constexpr double kHighestFrameRate = 1e5;
 
 class BvhText {
  public:
@@ -196,6 +196,10 @@ Result<std::string> bvh_text(const motion::Clip& clip, const BvhWriteOptions& op
   const double fps = options.fps > 0.0 ? options.fps : clip.frame_rate_hz;
   if (!(fps > 0.0 && fps <= kHighestFrameRate)) {
     return Error{fmt::format("{} is not a frame rate", fps), clip.name, "give the frames per second, for example 60"};
+  }
+  if (clip.duration() * fps * static_cast<double>(clip.skeleton.segments.size()) > kMostNumbers / 3.0) {
+    return Error{fmt::format("{:.0f} s at {} frames per second are too many frames", clip.duration(), fps), clip.name,
+                 "write fewer frames per second or a part of it"};
   }
   BvhText writer(clip, options);
   writer.hierarchy();

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "base/files.h"
+#include "interchange/frame_rate.h"
 #include "interchange/names.h"
 
 namespace limbwave::interchange {
 namespace {
 
-constexpr double kHighestFrameRate = 1e5;
 constexpr std::size_t kFramesPerReport = 1024;
 
 std::string quoted(const std::string& name) {
@@ -31,6 +31,10 @@ Result<std::string> csv_poses_text(const motion::Clip& clip, const CsvPosesOptio
   const double fps = options.fps > 0.0 ? options.fps : clip.frame_rate_hz;
   if (!(fps > 0.0 && fps <= kHighestFrameRate)) {
     return Error{fmt::format("{} is not a frame rate", fps), clip.name, "give the frames per second, for example 60"};
+  }
+  if (clip.duration() * fps * static_cast<double>(clip.skeleton.segments.size()) > kMostNumbers / 8.0) {
+    return Error{fmt::format("{:.0f} s at {} frames per second are too many rows", clip.duration(), fps), clip.name,
+                 "write fewer frames per second or a part of it"};
   }
   std::string text = "time_s,segment,qw,qx,qy,qz,px_m,py_m,pz_m\n";
   std::vector<std::string> names;

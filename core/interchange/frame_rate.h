@@ -1,6 +1,7 @@
 /// Frame rates that files give as rounded frame times.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace limbwave::interchange {
@@ -9,5 +10,10 @@ namespace limbwave::interchange {
 /// motion capture) when it lies within the rounding of the digits and within 0.3 %, else 1 / seconds. So "0.0083333" is
 /// 120 Hz and "0.0333" is 30 Hz, while "0.03" stays 33.3 Hz.
 double frame_rate_from_text(double seconds, std::string_view digits);
+
+/// Frames per second that are written; and how many numbers a text file may have: what is more is a mistake in the
+/// frame rate or the key times, and would fill the memory.
+inline constexpr double kHighestFrameRate = 1e5;
+inline constexpr std::size_t kMostNumbers = 1'000'000'000;
 
 }  // namespace limbwave::interchange

@@ -61,45 +61,43 @@ Result<fs::path> save_record(const fs::path& folder, const std::string& date, co
   return path;
 }
 
-struct Record {
-  std::string key, rig, subject, date;
-  calibrate::RigCalibration calibration;
-};
-
-Result<Record> read_record(const fs::path& path, bool is_sensor) {
+Result<nlohmann::json> read_json(const fs::path& path) {
   const Result<std::string> text = read_file(path, kRecordLimit);
-  if (!text) {
-    return text.error();
-  }
-  const Result<nlohmann::json> json = parse_json(*text, path.string());
+  return text ? parse_json(*text, path.string()) : Result<nlohmann::json>(text.error());
+}
+
+Result<SensorRecord> read_sensor(const fs::path& path) {
+  const Result<nlohmann::json> json = read_json(path);
   if (!json) {
     return json.error();
   }
   JsonReader::State state{path.string(), {}};
   const JsonReader reader(*json, "", state);
-  Record record;
-  if (is_sensor) {
-    reader.allow({"schema", "key", "calibration"});
-    record.key = reader.at("key").string();
-  } else {
-    reader.allow({"schema", "rig", "subject", "date", "calibration"});
-    record.rig = reader.at("rig").string();
-    record.subject = reader.at("subject").string();
-    record.date = reader.at("date").string();
-  }
-  reader.at("schema").integer(1, 1);
-  const nlohmann::json& calibration = reader.at("calibration").raw();
+  reader.allow({"schema", "key", "calibration"});
+  (void)reader.at("schema").integer(1, 1);
+  SensorRecord record{reader.at("key").string(), calibrate::sensor_calibration_from_json(reader.at("calibration")),
+                      path};
   if (state.error) {
     return *state.error;
   }
-  Result<calibrate::RigCalibration> read =
-      calibrate::calibration_from_json(calibration, path.string() + ": /calibration");
-  if (!read) {
-    return read.error();
+  return record;
+}
+
+Result<MountRecord> read_mounts(const fs::path& path) {
+  const Result<nlohmann::json> json = read_json(path);
+  if (!json) {
+    return json.error();
   }
-  record.calibration = *std::move(read);
-  if (is_sensor && record.calibration.sensors.size() != 1) {
-    return Error{"does not hold the calibration of one sensor", path.string(), "delete it"};
+  JsonReader::State state{path.string(), {}};
+  const JsonReader reader(*json, "", state);
+  reader.allow({"schema", "rig", "subject", "date", "mounts"});
+  (void)reader.at("schema").integer(1, 1);
+  MountRecord record{reader.at("rig").string(), reader.at("subject").string(), reader.at("date").string(), {}, path};
+  for (const JsonReader& mount : reader.at("mounts").items()) {
+    record.mounts.push_back(calibrate::mount_calibration_from_json(mount));
+  }
+  if (state.error) {
+    return *state.error;
   }
   return record;
 }
@@ -152,11 +150,9 @@ Result<fs::path> CalibrationLibrary::save_sensor(const std::string& key,
   if (calibration.date.empty()) {
     calibration.date = now_text();
   }
-  const std::string date = calibration.date;
-  calibrate::RigCalibration one;
-  one.sensors.push_back(std::move(calibration));
-  return save_record(folder_ / "sensors" / file_name(key), date,
-                     {{"schema", 1}, {"key", key}, {"calibration", calibrate::calibration_to_json(one)}});
+  return save_record(
+      folder_ / "sensors" / file_name(key), calibration.date,
+      {{"schema", 1}, {"key", key}, {"calibration", calibrate::sensor_calibration_to_json(calibration)}});
 }
 
 Result<fs::path> CalibrationLibrary::save_mounts(const std::string& rig, const std::string& subject,
@@ -171,14 +167,12 @@ Result<fs::path> CalibrationLibrary::save_mounts(const std::string& rig, const s
   if (mounts.empty()) {
     return Error{"there is no limb calibration to keep", rig, "calibrate at least one sensor"};
   }
-  calibrate::RigCalibration several;
-  several.mounts = std::move(mounts);
+  nlohmann::json list = nlohmann::json::array();
+  for (const calibrate::MountCalibration& mount : mounts) {
+    list.push_back(calibrate::mount_calibration_to_json(mount));
+  }
   return save_record(folder_ / "mounts" / file_name(rig) / file_name(subject), date,
-                     {{"schema", 1},
-                      {"rig", rig},
-                      {"subject", subject},
-                      {"date", date},
-                      {"calibration", calibrate::calibration_to_json(several)}});
+                     {{"schema", 1}, {"rig", rig}, {"subject", subject}, {"date", date}, {"mounts", std::move(list)}});
 }
 
 Status CalibrationLibrary::save(const body::Rig& rig, const std::string& subject,
@@ -206,18 +200,17 @@ Status CalibrationLibrary::save(const body::Rig& rig, const std::string& subject
 LibraryListing CalibrationLibrary::list() const {
   LibraryListing listing;
   for (const fs::path& path : record_files(folder_ / "sensors", listing.diagnostics)) {
-    Result<Record> record = read_record(path, true);
+    Result<SensorRecord> record = read_sensor(path);
     if (record) {
-      listing.sensors.push_back({record->key, std::move(record->calibration.sensors.front()), path});
+      listing.sensors.push_back(*std::move(record));
     } else {
       listing.diagnostics.push_back(unreadable(record.error()));
     }
   }
   for (const fs::path& path : record_files(folder_ / "mounts", listing.diagnostics)) {
-    Result<Record> record = read_record(path, false);
+    Result<MountRecord> record = read_mounts(path);
     if (record) {
-      listing.mounts.push_back(
-          {record->rig, record->subject, record->date, std::move(record->calibration.mounts), path});
+      listing.mounts.push_back(*std::move(record));
     } else {
       listing.diagnostics.push_back(unreadable(record.error()));
     }

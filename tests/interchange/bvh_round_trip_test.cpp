@@ -202,6 +202,10 @@ TEST(Bvh, RefusesWhatCannotBeWritten) {
   EXPECT_FALSE(bvh_text(clip, {BvhUnit::kCentimetres, BvhRotationOrder::kZXY, 1e9}).ok());
   clip.frame_rate_hz = 0.0;
   EXPECT_FALSE(bvh_text(clip).ok());
+  clip.frame_rate_hz = 1000.0;
+  clip.root_position.times.back() = 1e9;  // A mistake that would fill the memory.
+  EXPECT_FALSE(bvh_text(clip).ok());
+  clip.root_position.times.back() = 1.0;
   clip.frame_rate_hz = 60.0;
   clip.joints[1].rotation.values[1].w() = NAN;
   const Result<std::string> text = bvh_text(clip);

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -70,8 +72,11 @@ class SensorTruth {
     for (const nlohmann::json& segment : json.at("segments")) {
       std::vector<Eigen::Quaterniond>& rotations = rotations_.emplace_back();
       for (const nlohmann::json& q : segment.at("q_WL")) {
-        rotations.emplace_back(q.at(0).get<double>(), q.at(1).get<double>(), q.at(2).get<double>(),
-                               q.at(3).get<double>());
+        // Where the truth is not known (an occluded marker) nothing compares equal.
+        constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+        q.is_null() ? rotations.emplace_back(kUnknown, kUnknown, kUnknown, kUnknown)
+                    : rotations.emplace_back(q.at(0).get<double>(), q.at(1).get<double>(), q.at(2).get<double>(),
+                                             q.at(3).get<double>());
       }
     }
   }
@@ -109,7 +114,7 @@ class SensorTruth {
       }
       const double turn =
           q[static_cast<std::size_t>(sample - reach)].angularDistance(q[static_cast<std::size_t>(sample + reach)]);
-      if (turn > 2e-5) {
+      if (!(turn <= 2e-5)) {
         return false;
       }
     }

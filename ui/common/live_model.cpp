@@ -108,6 +108,10 @@ void LiveModel::close() {
   }
 }
 
+std::shared_ptr<const solve::LiveSnapshot> LiveModel::newest() const {
+  return backend_ && running() && !finishing_ ? backend_->snapshot() : nullptr;
+}
+
 void LiveModel::poll() {
   if (!backend_ || finishing_) {
     return;

@@ -26,6 +26,9 @@ class LiveModel : public QObject {
   [[nodiscard]] bool recording() const { return recording_; }
   /// True between "Stop" and the moment at which the take is complete on disk.
   [[nodiscard]] bool finishing() const { return finishing_; }
+  /// The newest state as of now, without waiting for the next `snapshot_changed`; null while nothing runs. For faces
+  /// that draw faster than the rest of the studio.
+  [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> newest() const;
   /// The newest state; null while nothing has been captured.
   [[nodiscard]] const std::shared_ptr<const solve::LiveSnapshot>& snapshot() const { return snapshot_; }
   /// Rig, skeleton and calibration of the running capture.

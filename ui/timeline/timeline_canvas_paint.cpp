@@ -32,8 +32,8 @@ void TimelineCanvas::paintEvent(QPaintEvent* /*event*/) {
   const ThemeColors& theme = theme_colors(palette());
   painter.fillRect(rect(), theme.panel);
   painter.fillRect(QRectF(kLabelWidth, 0, width() - kLabelWidth, height()), theme.base);
-  paint_lanes(painter);
   paint_ruler(painter);
+  paint_lanes(painter);
   paint_markers(painter);
   paint_overview(painter);
   if (time_.duration_s() > 0.0) {
@@ -47,10 +47,6 @@ void TimelineCanvas::paint_ruler(QPainter& painter) const {
   painter.save();
   painter.setClipRect(QRectF(kLabelWidth, 0, width() - kLabelWidth, height()));
   painter.fillRect(QRectF(kLabelWidth, 0, width() - kLabelWidth, kRulerHeight), theme.panel);
-  for (const TimelineStretch& stretch : stretches_) {
-    const QRectF band(s.x(stretch.begin_s), kRulerHeight - 3, s.x(stretch.end_s) - s.x(stretch.begin_s), 3);
-    painter.fillRect(band, theme.accent);
-  }
   painter.setFont(tabular(font(), 0.85));
   const TickSpacing spacing = tick_spacing(s.seconds_per_pixel(), time_.frame_s(), 72.0);
   const QFontMetricsF metrics(painter.font());
@@ -69,6 +65,10 @@ void TimelineCanvas::paint_ruler(QPainter& painter) const {
         painter.drawText(QPointF(x + 4, metrics.ascent() + 2), label);
       }
     }
+  }
+  for (const TimelineStretch& stretch : stretches_) {
+    const QRectF band(s.x(stretch.begin_s), kRulerHeight - 3, s.x(stretch.end_s) - s.x(stretch.begin_s), 3);
+    painter.fillRect(band, theme.accent);
   }
   painter.setPen(QPen(theme.line, 1));
   painter.drawLine(QPointF(kLabelWidth, kRulerHeight + 0.5), QPointF(width(), kRulerHeight + 0.5));
@@ -175,8 +175,8 @@ void TimelineCanvas::paint_lanes(QPainter& painter) const {
         continue;
       }
       const bool selected = keys_.is_selected({lane, key.id});
-      paint_diamond(painter, {x, middle}, selected ? kKeyHalf + 1 : kKeyHalf, selected ? theme.accent : theme.raised,
-                    selected ? theme.text : theme.dim);
+      paint_diamond(painter, {x, middle}, selected ? kKeyHalf + 1 : kKeyHalf, selected ? theme.accent : theme.dim,
+                    selected ? theme.text : theme.base);
     }
     painter.restore();
   }

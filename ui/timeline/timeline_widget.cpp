@@ -150,6 +150,11 @@ void TimelineWidget::show_state() {
                        : tr("nothing to play yet"));
 }
 
+void TimelineWidget::set_current_lane(int lane) {
+  canvas_->set_current_lane(lane);
+  show_state();
+}
+
 void TimelineWidget::toggle_playing() {
   if (!time_.playing()) {
     time_.set_speed(speed_->currentData().toDouble());

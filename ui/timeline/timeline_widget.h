@@ -22,6 +22,8 @@ class TimelineWidget : public QWidget {
   TimelineWidget(TimeModel& time, KeyEditor& keys, QWidget* parent = nullptr);
 
   [[nodiscard]] TimelineCanvas& canvas() { return *canvas_; }
+  /// The lane that new keys go to; -1: none.
+  void set_current_lane(int lane);
   /// Goes on with the speed chosen in the box, after J or L.
   void toggle_playing();
 
@@ -29,7 +31,6 @@ class TimelineWidget : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  struct Binding;
   void build_transport();
   void show_state();
   void shuttle(int direction);

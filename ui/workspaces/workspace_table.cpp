@@ -1,6 +1,8 @@
 /// The table of workspaces: one row each, in the order of the mode bar.
 #include <QCoreApplication>
 
+#include "workspaces/solve/solve_entries.h"
+#include "workspaces/solve/solve_timeline.h"
 #include "workspaces/workspace.h"
 
 namespace limbwave::ui {
@@ -14,6 +16,10 @@ struct Workspaces {
 
 StudioParts studio_parts() {
   StudioParts parts;
+  parts.workspaces.push_back(solve_entry());
+  parts.workspaces.push_back(export_entry());
+  parts.timeline = make_solve_timeline;
+  parts.timeline_shortcuts = timeline_shortcuts();
   return parts;
 }
 

@@ -1,0 +1,310 @@
+#include "simulate/bvh_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/units.h"
+#include "geometry/so3.h"
+#include "interchange/bvh_reader.h"
+#include "motion/clip.h"
+
+namespace limbwave::simulate {
+namespace {
+
+constexpr double kPassHz = 10.0;
+
+// What the joints of a right arm are called, in order of preference, letters and digits only.
+struct UsualNames {
+  std::string_view segment;
+  std::array<std::string_view, 10> joints;
+};
+constexpr std::array kUsualNames = {
+    UsualNames{"torso",
+               {"thorax", "chest", "upperchest", "spine2", "spine1", "upperback", "chest2", "spine", "hips", "root"}},
+    UsualNames{
+        "upperarm",
+        {"rhumerus", "rightarm", "rightuparm", "rightupperarm", "rupperarm", "upperarmr", "rshldr", "rightshoulder"}},
+    UsualNames{"forearm",
+               {"rradius", "rightforearm", "rightlowarm", "rightlowerarm", "rforearm", "rlowerarm", "forearmr",
+                "lowerarmr", "rightelbow"}},
+    UsualNames{"hand", {"rhand", "righthand", "handr", "rightwrist", "rwrist"}},
+    UsualNames{"fingers",
+               {"rfingers", "rightfingers", "righthandmiddle1", "righthandindex1", "rightfingerbase", "fingersr",
+                "middle1r", "index1r"}},
+};
+
+// "mixamorig:RightArm" and "upper_arm.R" → "rightarm", "upperarmr".
+std::string plain(std::string_view name) {
+  if (const std::size_t colon = name.rfind(':'); colon != std::string_view::npos) {
+    name.remove_prefix(colon + 1);
+  }
+  std::string letters;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  return letters.starts_with("mixamorig") ? letters.substr(9) : letters;
+}
+
+int find_plain(const body::Skeleton& file, std::string_view name) {
+  for (std::size_t i = 0; i < file.segments.size(); ++i) {
+    if (plain(file.segments[i].name) == name) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+int find_usual(const body::Skeleton& file, const std::string& segment) {
+  for (const UsualNames& usual : kUsualNames) {
+    if (usual.segment == plain(segment)) {
+      for (const std::string_view name : usual.joints) {
+        if (const int joint = name.empty() ? -1 : find_plain(file, name); joint >= 0) {
+          return joint;
+        }
+      }
+    }
+  }
+  return -1;
+}
+
+// Which joint of the file moves a segment, and the segment's frame in the joint's frame, which at rest is the world's.
+struct Link {
+  int joint = -1;
+  Quaterniond R_JL = Quaterniond::Identity();
+};
+
+Quaterniond from_columns(const Vector3d& x, const Vector3d& up) {
+  Eigen::Matrix3d R;
+  R.col(0) = x;
+  R.col(1) = up.cross(x).normalized();
+  R.col(2) = x.cross(R.col(1));
+  return Quaterniond(R);
+}
+
+// The figure's right at rest, from its two shoulders or hips, else from where the arm points.
+Vector3d right_at_rest(const std::vector<body::SegmentPose>& rest, const body::Skeleton& file, const Vector3d& arm) {
+  for (const auto& [right, left] :
+       {std::array{"rhumerus", "lhumerus"}, std::array{"rightarm", "leftarm"}, std::array{"upperarmr", "upperarml"},
+        std::array{"rightupleg", "leftupleg"}, std::array{"rfemur", "lfemur"}}) {
+    const int r = find_plain(file, right);
+    const int l = find_plain(file, left);
+    if (r >= 0 && l >= 0) {
+      Vector3d across = rest[static_cast<std::size_t>(r)].p_WL - rest[static_cast<std::size_t>(l)].p_WL;
+      across.z() = 0.0;
+      if (across.norm() > 1e-3) {
+        return across.normalized();
+      }
+    }
+  }
+  const Vector3d level(arm.x(), arm.y(), 0.0);
+  return level.norm() > 0.1 ? Vector3d(level.normalized()) : Vector3d(-Vector3d::UnitX());
+}
+
+std::vector<Link> link_segments(const body::Skeleton& skeleton, const body::Skeleton& file) {
+  std::vector<Link> links(skeleton.segments.size());
+  const std::vector<Quaterniond> R_WL_rest = standing(skeleton);
+  std::size_t own = 0;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    links[i].joint = find_plain(file, plain(skeleton.segments[i].name));
+    links[i].R_JL = R_WL_rest[i];
+    own += links[i].joint >= 0 ? 1 : 0;
+  }
+  if (own == links.size()) {
+    return links;  // a file of this very skeleton, whose rest pose is the skeleton's
+  }
+  const std::vector<Quaterniond> identity(file.segments.size(), Quaterniond::Identity());
+  const auto rest = body::poses_from_joints(file, identity, Vector3d::Zero());
+  std::vector<Vector3d> bone(links.size(), Vector3d::Zero());  // direction at rest, world
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (const int usual = find_usual(file, skeleton.segments[i].name); usual >= 0) {
+      links[i].joint = usual;
+    }
+    for (std::size_t child = 0; child < file.segments.size() && links[i].joint >= 0; ++child) {
+      if (file.segments[child].parent == links[i].joint && file.segments[child].p_PL.norm() > 1e-6) {
+        bone[i] = file.segments[child].p_PL.normalized();
+        break;
+      }
+    }
+  }
+  const int upper_arm = skeleton.find("upper_arm");
+  const Vector3d right =
+      right_at_rest(rest, file, upper_arm < 0 ? Vector3d::Zero() : bone[static_cast<std::size_t>(upper_arm)]);
+  const Vector3d forward = Vector3d::UnitZ().cross(right);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (links[i].joint < 0) {
+      continue;
+    }
+    if (skeleton.segments[i].parent < 0) {
+      // The trunk stands at rest; our own frame turned to where the file's figure looks.
+      links[i].R_JL =
+          Quaterniond(Eigen::AngleAxisd(std::atan2(forward.y(), forward.x()), Vector3d::UnitZ())) * R_WL_rest[i];
+      continue;
+    }
+    // The arm stretched sideways with the palm down, taken to where the file's arm points at rest by the shortest way.
+    // A last bone goes on where its parent points.
+    const auto parent = static_cast<std::size_t>(skeleton.segments[i].parent);
+    if (bone[i].isZero()) {
+      bone[i] = bone[parent].isZero() ? right : bone[parent];
+    }
+    links[i].R_JL = geometry::shortest_arc(right, bone[i], forward) * from_columns(right, Vector3d::UnitZ());
+  }
+  return links;
+}
+
+// A frame that agrees with neither neighbour, while the neighbours agree with each other, is a fault of the file. So is
+// a step from one frame to the next in the middle of slow motion (a flipped solution): it becomes a quick turn.
+void remove_faults(std::vector<Quaterniond>& R, double rate_hz) {
+  const auto angle = [&](std::size_t a, std::size_t b) { return geometry::geodesic_angle(R[a], R[b]); };
+  for (std::size_t i = 1; i + 1 < R.size(); ++i) {
+    const double away = std::min(angle(i - 1, i), angle(i, i + 1));
+    if (away > radians(12.0) && away > 3.0 * angle(i - 1, i + 1)) {
+      R[i] = R[i - 1].slerp(0.5, R[i + 1]);
+    }
+  }
+  const auto half = static_cast<std::size_t>(std::ceil(0.1 * rate_hz));
+  for (std::size_t i = half + 1; i + half + 2 < R.size(); ++i) {
+    if (angle(i, i + 1) > radians(25.0) && angle(i, i + 1) > 4.0 * std::max(angle(i - 1, i), angle(i + 1, i + 2))) {
+      const Quaterniond before = R[i - half];
+      const Quaterniond after = R[i + 1 + half];
+      for (std::size_t k = 1; k <= 2 * half; ++k) {
+        R[i - half + k] =
+            before.slerp(smooth_step(static_cast<double>(k) / static_cast<double>(2 * half + 1)).v, after);
+      }
+    }
+  }
+}
+
+bool first_frame_is_artificial(const std::vector<std::vector<Quaterniond>>& R_PL) {
+  return std::any_of(R_PL.begin(), R_PL.end(), [](const std::vector<Quaterniond>& R) {
+    return R.size() > 3 && geometry::geodesic_angle(R[0], R[1]) > radians(15.0) &&
+           geometry::geodesic_angle(R[0], R[1]) > 6.0 * geometry::geodesic_angle(R[1], R[2]);
+  });
+}
+
+class BvhMotion : public BodyMotion {
+ public:
+  BvhMotion(std::vector<std::vector<Quaterniond>> R_PL, const std::vector<Vector3d>& p, double rate_hz)
+      : duration_(static_cast<double>(p.size() - 1) / rate_hz) {
+    for (auto& R : R_PL) {
+      std::array<std::vector<double>, 4> parts;
+      for (std::size_t i = 0; i < R.size(); ++i) {
+        if (i > 0 && R[i].dot(R[i - 1]) < 0.0) {
+          R[i].coeffs() = -R[i].coeffs();
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+          parts[k].push_back(R[i].coeffs()[static_cast<Eigen::Index>(k)]);
+        }
+      }
+      auto& curves = rotations_.emplace_back();
+      for (std::size_t k = 0; k < 4; ++k) {
+        curves[k] = SampledCurve(parts[k], rate_hz, kPassHz);
+      }
+    }
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      std::vector<double> path;
+      path.reserve(p.size());
+      for (const Vector3d& position : p) {
+        path.push_back(position[axis]);
+      }
+      root_[static_cast<std::size_t>(axis)] = SampledCurve(path, rate_hz, kPassHz);
+    }
+  }
+
+  [[nodiscard]] double duration() const override { return duration_; }
+
+  [[nodiscard]] QuaternionJet rotation(int segment, double time_s) const override {
+    QuaternionJet q;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Jet c = rotations_[static_cast<std::size_t>(segment)][k].at(time_s);
+      const auto i = static_cast<Eigen::Index>(k);
+      q.v.coeffs()[i] = c.v;
+      q.d.coeffs()[i] = c.d;
+      q.dd.coeffs()[i] = c.dd;
+    }
+    return normalized(q);
+  }
+
+  [[nodiscard]] VectorJet root_position(double time_s) const override {
+    VectorJet p;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Jet c = root_[axis].at(time_s);
+      const auto i = static_cast<Eigen::Index>(axis);
+      p.v[i] = c.v;
+      p.d[i] = c.d;
+      p.dd[i] = c.dd;
+    }
+    return p;
+  }
+
+ private:
+  std::vector<std::array<SampledCurve, 4>> rotations_;
+  std::array<SampledCurve, 3> root_;
+  double duration_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem::path& path,
+                                                          const body::Skeleton& skeleton, double metres_per_unit) {
+  interchange::BvhReadOptions options;
+  options.metres_per_unit = metres_per_unit > 0.0 ? std::optional(metres_per_unit) : std::nullopt;
+  options.frames = interchange::BoneFrames::kFile;
+  const Result<motion::Clip> clip = interchange::load_bvh(path, options);
+  if (!clip) {
+    return clip.error();
+  }
+  const std::vector<Link> links = link_segments(skeleton, clip->skeleton);
+  if (std::all_of(links.begin(), links.end(), [](const Link& link) { return link.joint < 0; })) {
+    return Error{"has no joint that fits a segment of the skeleton \"" + skeleton.name + "\"", path.string(),
+                 "name its joints like the skeleton's segments, or RightArm, RightForeArm, RightHand"};
+  }
+  const double rate = clip->frame_rate_hz;
+  auto frames = static_cast<std::size_t>(std::floor(clip->duration() * rate + 1e-3)) + 1;
+  std::vector<std::vector<Quaterniond>> R_PL(links.size());
+  std::vector<Vector3d> p;
+  for (std::size_t f = 0; f < frames; ++f) {
+    const auto poses = motion::pose_at(*clip, static_cast<double>(f) / rate);
+    std::vector<Quaterniond> R_WL(links.size());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const int parent = skeleton.segments[i].parent;
+      const Quaterniond R_WP = parent < 0 ? Quaterniond::Identity() : R_WL[static_cast<std::size_t>(parent)];
+      const Link& link = links[i];
+      R_WL[i] = link.joint < 0 ? R_WP * skeleton.segments[i].R_PL_rest
+                               : poses[static_cast<std::size_t>(link.joint)].R_WL * link.R_JL;
+      R_PL[i].push_back((R_WP.conjugate() * R_WL[i]).normalized());
+    }
+    p.push_back(poses.front().p_WL);
+  }
+  if (first_frame_is_artificial(R_PL)) {
+    for (auto& R : R_PL) {
+      R.erase(R.begin());
+    }
+    p.erase(p.begin());
+    --frames;
+  }
+  if (frames < 4) {
+    return Error{"has too few frames to move", path.string(), "use a file with at least four"};
+  }
+  for (auto& R : R_PL) {
+    remove_faults(R, rate);
+  }
+  // To the skeleton's place, looking along +x as it does at rest.
+  const Vector3d forward = R_PL.front().front() * (standing(skeleton).front().conjugate() * Vector3d::UnitX());
+  const Quaterniond turn(Eigen::AngleAxisd(-std::atan2(forward.y(), forward.x()), Vector3d::UnitZ()));
+  const Vector3d start = p.front();
+  const Vector3d place = skeleton.segments.front().p_PL;
+  for (std::size_t f = 0; f < frames; ++f) {
+    R_PL.front()[f] = turn * R_PL.front()[f];
+    p[f] = turn * Vector3d(p[f] - start) + place;
+  }
+  return std::shared_ptr<const BodyMotion>(std::make_shared<BvhMotion>(std::move(R_PL), p, rate));
+}
+
+}  // namespace limbwave::simulate

@@ -1,0 +1,104 @@
+#include "workspaces/export/export_plan.h"
+
+#include <unistd.h>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+#include "interchange/bvh_reader.h"
+
+namespace limbwave::ui {
+
+namespace {
+
+struct Export {
+  Q_DECLARE_TR_FUNCTIONS(Export)
+};
+
+}  // namespace
+
+std::vector<ExportFormat> export_formats() {
+  return {{QStringLiteral("bvh"), Export::tr("BVH"), QStringLiteral(".bvh"),
+           Export::tr("Skeleton and motion as text. Blender, Maya, MotionBuilder and many others read it.")}};
+}
+
+const std::vector<double>& export_rates() {
+  static const std::vector<double> kRates{24, 25, 30, 50, 60, 120};
+  return kRates;
+}
+
+std::filesystem::path default_export_file(const std::filesystem::path& take_folder, const std::string& solve,
+                                          const QString& extension) {
+  std::string name = take_folder.stem().string();
+  if (!solve.empty() && solve != "default") {
+    name += "-" + solve;
+  }
+  return take_folder.parent_path() / (name + extension.toStdString());
+}
+
+QString export_file_problem(const std::filesystem::path& file, const QString& extension) {
+  if (file.empty() || !file.has_filename()) {
+    return Export::tr("Choose where the file goes.");
+  }
+  std::error_code error;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder, error)) {
+    return Export::tr("The folder %1 does not exist. Choose another one.").arg(QString::fromStdString(folder.string()));
+  }
+  if (std::filesystem::is_directory(file, error)) {
+    return Export::tr("%1 is a folder. Give the file a name.").arg(QString::fromStdString(file.string()));
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    return Export::tr("You may not write into %1. Choose another folder.").arg(QString::fromStdString(folder.string()));
+  }
+  if (QString::fromStdString(file.extension().string()).compare(extension, Qt::CaseInsensitive) != 0) {
+    return Export::tr("The name must end in %1, or other programs will not find the file.").arg(extension);
+  }
+  return {};
+}
+
+Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& plan, const BvhWriter& write,
+                                 const Progress& progress) {
+  interchange::BvhWriteOptions options;
+  options.fps = plan.fps;
+  options.unit = plan.unit == ExportUnit::kMetres ? interchange::BvhUnit::kMetres : interchange::BvhUnit::kCentimetres;
+  const Status written = write(clip, plan.file, options, progress.part(0.0, 0.7));
+  if (!written) {
+    return written.error();
+  }
+  if (!progress.report(0.7, "checking")) {
+    std::error_code ignored;
+    std::filesystem::remove(plan.file, ignored);
+    return cancelled();
+  }
+  interchange::BvhReadOptions read;
+  read.metres_per_unit = plan.unit == ExportUnit::kMetres ? 1.0 : interchange::kMetresPerCentimetre;
+  const Result<motion::Clip> back = interchange::load_bvh(plan.file, read);
+  if (!back) {
+    return Error{"the written file cannot be read back: " + back.error().message, plan.file.string(),
+                 "check the disk and export again"};
+  }
+  ExportResult result;
+  result.file = plan.file;
+  std::error_code error;
+  result.bytes = std::filesystem::file_size(plan.file, error);
+  result.frames = back->joints.empty() ? 0 : back->joints.front().rotation.times.size();
+  result.bones = back->skeleton.segments.size();
+  result.fps = back->frame_rate_hz;
+  result.duration_s = back->duration();
+  const std::size_t wanted = motion::frame_count(clip.duration(), plan.fps);
+  if (result.frames != wanted || result.bones != clip.skeleton.segments.size()) {
+    return Error{"the written file has " + std::to_string(result.frames) + " frames and " +
+                     std::to_string(result.bones) + " bones instead of " + std::to_string(wanted) + " and " +
+                     std::to_string(clip.skeleton.segments.size()),
+                 plan.file.string(), "check the disk and export again"};
+  }
+  return result;
+}
+
+QString size_text(std::uintmax_t bytes) {
+  return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+}
+
+}  // namespace limbwave::ui

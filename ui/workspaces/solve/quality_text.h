@@ -1,0 +1,35 @@
+/// A quality report in words: what is good, what is not, and what to do. No widgets.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "common/widgets.h"
+#include "evaluate/evaluate.h"
+#include "solve/solve.h"
+
+namespace limbwave::ui {
+
+struct Verdict {
+  Tone tone = Tone::kUnknown;
+  QString text;
+  QString remedy;  ///< May be empty.
+};
+
+/// The whole report in one sentence: the worst of its parts.
+Verdict overall_verdict(const solve::QualityReport& report);
+/// One sensor: usable and trusted fractions, gravity at rest.
+Verdict sensor_verdict(const solve::SensorQuality& sensor);
+/// The line: lost cycles, clipping.
+Verdict line_verdict(const decode::LineInStatus& line);
+/// Facts of the line with their units, one each.
+std::vector<QString> line_facts(const decode::LineInStatus& line);
+Verdict diagnostic_verdict(const Diagnostic& diagnostic);
+/// "2.1° mean, 4.8° at most"
+QString error_text(double mean_deg, double max_deg);
+/// A fraction as percent that never rounds up to a false 100 %: "99.9 %".
+QString percent(double fraction);
+QString smoothing_name(solve::Smoothing smoothing);
+QString smoothing_hint(solve::Smoothing smoothing);
+
+}  // namespace limbwave::ui

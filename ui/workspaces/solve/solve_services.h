@@ -1,0 +1,37 @@
+/// What the Solve and Export workspaces ask of the core, as a table of functions, so that tests put their own in.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/evaluate.h"
+#include "interchange/bvh_writer.h"
+#include "solve/solve.h"
+#include "take/take.h"
+
+namespace limbwave::ui {
+
+/// All may take long and run in jobs, except `list`.
+struct SolveServices {
+  std::function<Result<solve::Solve>(const take::Take&, const solve::SolveSettings&, const Progress&)> solve;
+  std::function<Status(const take::Take&, const solve::Solve&)> save;
+  std::function<Result<solve::Solve>(const take::Take&, const std::string& name)> load;
+  std::function<std::vector<std::string>(const take::Take&)> list;
+  /// Empty for a take without truth.
+  std::function<Result<std::optional<evaluate::Truth>>(const take::Take&)> load_truth;
+  std::function<Result<evaluate::Evaluation>(const motion::Clip&, double clip_start_s, const evaluate::Truth&)>
+      evaluate;
+  std::function<Status(const motion::Clip&, const std::filesystem::path&, const interchange::BvhWriteOptions&,
+                       const Progress&)>
+      write_bvh;
+};
+
+/// The real ones.
+SolveServices core_solve_services();
+
+}  // namespace limbwave::ui

@@ -1,0 +1,344 @@
+#include "workspaces/solve/solve_workspace.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "common/format.h"
+#include "common/icons.h"
+#include "common/theme.h"
+#include "common/widgets.h"
+#include "workspaces/solve/bone_card.h"
+#include "workspaces/solve/quality_card.h"
+#include "workspaces/solve/quality_text.h"
+#include "workspaces/solve/settings_card.h"
+
+namespace limbwave::ui {
+
+namespace {
+
+constexpr int kLiveIntervalMs = 16;
+
+std::vector<ViewerSensor> viewer_sensors(const body::Rig& rig, const body::Skeleton& skeleton) {
+  std::vector<ViewerSensor> list;
+  for (const body::Accelerometer& sensor : rig.accelerometers) {
+    list.push_back({QString::fromStdString(sensor.name), skeleton.find(sensor.segment), sensor.R_LS, sensor.p_LS});
+  }
+  return list;
+}
+
+}  // namespace
+
+SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
+    : Workspace(parent), context_(context), model_(SolveModel::of(context)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  pages_ = new QStackedWidget(this);
+  layout->addWidget(pages_);
+  empty_ = new EmptyState(QStringLiteral("solve"), pages_);
+  empty_button_ = empty_->add_button(tr("Capture a take"), true);
+  pages_->addWidget(empty_);
+  main_page_ = make_main_page();
+  pages_->addWidget(main_page_);
+  live_timer_.setInterval(kLiveIntervalMs);
+  live_timer_.setTimerType(Qt::PreciseTimer);
+  follow_context();
+  show_figure();
+  show_state();
+  follow_live();
+}
+
+QWidget* SolveWorkspace::make_toolbar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
+  row->setSpacing(4);
+  status_ = new ElidedLabel({}, bar);
+  status_->setFont(tabular(font()));
+  progress_ = new QProgressBar(bar);
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedWidth(20 * kGrid);
+  progress_->setFixedHeight(6);
+  progress_->setAccessibleName(tr("Progress of solving"));
+  cancel_ = new QPushButton(tr("Cancel"), bar);
+  live_button_ = new QPushButton(tr("Live"), bar);
+  live_button_->setCheckable(true);
+  live_button_->setToolTip(tr("Show what is being captured instead of the take"));
+  row->addWidget(status_, 1);
+  row->addWidget(progress_);
+  row->addWidget(cancel_);
+  row->addWidget(live_button_);
+  row->addSpacing(kGrid);
+  const auto view = [&](const QString& text, const QString& keys, ViewDirection direction) {
+    auto* button = new QPushButton(text, bar);
+    button->setProperty("flat", true);
+    button->setToolTip(tr("Look from this side (%1)").arg(keys));
+    connect(button, &QPushButton::clicked, this, [this, direction] { viewer_->look(direction); });
+    row->addWidget(button);
+  };
+  view(tr("Front"), tr("Shift+F"), ViewDirection::kFront);
+  view(tr("Side"), tr("Shift+S"), ViewDirection::kSide);
+  view(tr("Top"), tr("Shift+T"), ViewDirection::kTop);
+  QToolButton* frame = icon_button(QStringLiteral("frame"), tr("Frame the selection (F)"), bar);
+  connect(frame, &QToolButton::clicked, this, [this] { viewer_->frame_selection(); });
+  row->addWidget(frame);
+  const auto toggle = [&](const QString& icon_name, const QString& text, auto&& handler) {
+    QToolButton* button = icon_button(icon_name, text, bar);
+    button->setCheckable(true);
+    button->setChecked(true);
+    connect(button, &QToolButton::toggled, this, handler);
+    row->addWidget(button);
+    return button;
+  };
+  toggle(QStringLiteral("grid"), tr("Show the floor"), [this](bool on) { viewer_->set_floor_visible(on); });
+  toggle(QStringLiteral("sensor"), tr("Show the sensors"), [this](bool on) { viewer_->set_sensors_visible(on); });
+  ghost_ = toggle(QStringLiteral("person"), tr("Show the truth of this simulated take"),
+                  [this](bool on) { viewer_->set_ghost_visible(on); });
+  connect(cancel_, &QPushButton::clicked, this, [this] { model_.cancel(); });
+  connect(live_button_, &QPushButton::clicked, this, &SolveWorkspace::set_live);
+  return bar;
+}
+
+QWidget* SolveWorkspace::make_main_page() {
+  auto* page = new QWidget(this);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  viewer_ = new ViewerWidget(page);
+  curves_ = new CurvesPanel(context_.time(), page);
+  layout->addWidget(make_toolbar());
+  auto* splitter = new QSplitter(Qt::Vertical, page);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(viewer_);
+  splitter->addWidget(curves_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 1);
+  layout->addWidget(splitter, 1);
+  return page;
+}
+
+void SolveWorkspace::follow_context() {
+  connect(&model_, &SolveModel::state_changed, this, &SolveWorkspace::show_state);
+  connect(&model_, &SolveModel::solve_changed, this, [this] {
+    show_figure();
+    show_state();
+  });
+  connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_figure);
+  connect(&model_, &SolveModel::pose_changed, this, &SolveWorkspace::show_pose);
+  connect(&context_.time(), &TimeModel::playhead_changed, this, &SolveWorkspace::show_pose);
+  connect(&context_.selection(), &Selection::changed, this, &SolveWorkspace::show_selection);
+  const auto choose = [this](int segment) {
+    if (segment < 0) {
+      context_.selection().clear();
+    } else {
+      context_.selection().select(SelectionKind::kSegment, segment);
+    }
+  };
+  connect(viewer_, &ViewerWidget::segment_clicked, this, choose);
+  connect(curves_, &CurvesPanel::segment_clicked, this, choose);
+  connect(&context_.live(), &LiveModel::state_changed, this, &SolveWorkspace::follow_live);
+  connect(&context_.live(), &LiveModel::recording_changed, this, &SolveWorkspace::follow_live);
+  connect(&live_timer_, &QTimer::timeout, this, &SolveWorkspace::poll_live);
+  connect(viewer_, &ViewerWidget::frame_rendered, this, [this](double /*steady_time_s*/, double tag) {
+    if (live_ && tag > 0.0) {
+      context_.live().note_drawn(tag);
+    }
+  });
+  connect(empty_button_, &QPushButton::clicked, this, [this] {
+    if (model_.state() == SolveState::kFailed) {
+      model_.start();
+    } else {
+      context_.reveal(QStringLiteral("capture"));
+    }
+  });
+}
+
+void SolveWorkspace::activate() {
+  active_ = true;
+  follow_live();
+  viewer_->setFocus();
+}
+
+void SolveWorkspace::deactivate() {
+  active_ = false;
+  live_timer_.stop();
+}
+
+void SolveWorkspace::follow_live() {
+  const LiveModel& live = context_.live();
+  live_button_->setVisible(live.running());
+  // While recording, the figure is the performer; afterwards it is the take again.
+  set_live(live.running() && (live.recording() || !context_.document().is_open()));
+}
+
+void SolveWorkspace::set_live(bool live) {
+  const bool before = live_;
+  live_ = live && context_.live().running();
+  live_button_->setChecked(live_);
+  if (live_ && active_) {
+    live_timer_.start();
+  } else {
+    live_timer_.stop();
+  }
+  if (live_ != before) {
+    live_version_ = 0;
+    show_figure();
+    show_state();
+  }
+}
+
+void SolveWorkspace::poll_live() {
+  const auto snapshot = context_.live().newest();
+  if (!snapshot || snapshot->version == live_version_ || snapshot->pose.empty()) {
+    return;
+  }
+  live_version_ = snapshot->version;
+  viewer_->set_pose(snapshot->pose, snapshot->pose_capture_time_s);
+  const double mean = context_.live().latency_mean_s();
+  status_->set_text(mean < 0.0 ? tr("Live from %1").arg(context_.live().device_title())
+                               : tr("Live from %1, capture to screen %2 ms mean, %3 ms at most")
+                                     .arg(context_.live().device_title())
+                                     .arg(std::lround(1000.0 * mean))
+                                     .arg(std::lround(1000.0 * context_.live().latency_max_s())));
+}
+
+void SolveWorkspace::show_state() {
+  const SolveState state = model_.state();
+  const bool busy = state == SolveState::kSolving || state == SolveState::kLoading;
+  const bool figure = live_ || (state != SolveState::kNoTake && (model_.solve() || busy));
+  pages_->setCurrentWidget(figure ? main_page_ : empty_);
+  curves_->setVisible(!live_);
+  progress_->setVisible(busy && !live_);
+  cancel_->setVisible(state == SolveState::kSolving && !live_);
+  ghost_->setVisible(model_.has_truth() && !live_);
+  if (state == SolveState::kNoTake) {
+    empty_->set_texts(tr("No take is open"), tr("Capture one, open one, or try a demo from the first page."));
+    empty_button_->setText(tr("Capture a take"));
+    empty_button_->setVisible(true);
+  } else if (state == SolveState::kFailed) {
+    const Error& error = model_.error();
+    QString what = QString::fromStdString(error.message);
+    if (!what.isEmpty()) {
+      what[0] = what[0].toUpper();
+    }
+    QString remedy = QString::fromStdString(error.remedy);
+    if (!remedy.isEmpty()) {
+      remedy[0] = remedy[0].toUpper();
+    }
+    const QString place = QString::fromStdString(error.place);
+    empty_->set_texts(
+        tr("This take could not be solved"),
+        QStringList{what, remedy, place}.filter(QRegularExpression(QStringLiteral("\\S"))).join(QStringLiteral("\n")));
+    empty_button_->setText(tr("Try again"));
+  }
+  if (live_) {
+    return;
+  }
+  if (busy) {
+    status_->set_text(state == SolveState::kLoading ? tr("Reading the solve…") : tr("Solving…"));
+    progress_->setValue(0);
+    Job* job = model_.job();
+    if (job != nullptr && job != watched_) {
+      watched_ = job;
+      connect(job, &Job::changed, this, [this, job] {
+        progress_->setValue(static_cast<int>(1000 * job->fraction()));
+        const double left = job->left_s();
+        status_->set_text(left < 0.0 ? tr("Solving… %1").arg(job->step())
+                                     : tr("Solving… %1, %2 left").arg(job->step(), format_left(left)));
+      });
+    }
+  } else if (model_.solve()) {
+    const motion::Clip& clip = model_.solve()->clip;
+    const std::size_t frames = clip.joints.empty() ? 0 : clip.joints.front().rotation.times.size();
+    status_->set_text(tr("%1: %2 of motion, %3 frames at %4 Hz, %5 smoothing")
+                          .arg(context_.document().name(), format_clock_tenths(clip.duration()),
+                               locale().toString(qulonglong(frames)), locale().toString(clip.frame_rate_hz, 'f', 2),
+                               smoothing_name(model_.solve()->settings.smoothing).toLower()));
+  }
+}
+
+void SolveWorkspace::show_figure() {
+  const solve::LiveSettings& live = context_.live().settings();
+  const body::Skeleton& skeleton = live_ ? live.skeleton : model_.skeleton();
+  viewer_->set_skeleton(skeleton);
+  if (live_) {
+    viewer_->set_ghost({});
+    viewer_->set_sensors(viewer_sensors(live.rig, skeleton));
+  } else if (const auto& take = context_.document().take()) {
+    viewer_->set_sensors(viewer_sensors(take->info.rig, skeleton));
+  }
+  if (model_.solve()) {
+    const motion::Clip& clip = model_.solve()->clip;
+    curves_->set_curves(model_.curves(),
+                        clip.joints.empty() ? std::vector<double>() : clip.joints.front().rotation.times);
+  } else {
+    curves_->set_curves({}, {});
+  }
+  show_selection();
+  show_pose();
+}
+
+void SolveWorkspace::show_pose() {
+  if (live_) {
+    return;
+  }
+  const double now = context_.time().playhead_s();
+  model_.pose_at(now, poses_);
+  if (!poses_.empty()) {
+    viewer_->set_pose(poses_);
+    viewer_->set_ghost(model_.truth_at(now));
+  }
+}
+
+void SolveWorkspace::show_selection() {
+  const int segment = segment_of_selection(context_.selection().item(), model_);
+  viewer_->select(segment);
+  curves_->select_segment(segment);
+}
+
+QWidget* SolveWorkspace::create_inspector() {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget(area);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+  layout->setSpacing(kGrid);
+  layout->addWidget(new BoneCard(context_, model_, content));
+  layout->addWidget(new SettingsCard(model_, content));
+  layout->addWidget(new QualityCard(model_, content));
+  layout->addWidget(new TruthCard(model_, content));
+  layout->addStretch(1);
+  area->setWidget(content);
+  return area;
+}
+
+void SolveWorkspace::reveal(const QString& topic) {
+  if (topic == QLatin1String("latency")) {
+    set_live(true);
+  } else if (topic.startsWith(QLatin1String("sensor:"))) {
+    context_.selection().select(SelectionKind::kSensor, topic.mid(7).toInt());
+  }
+}
+
+void SolveWorkspace::keyPressEvent(QKeyEvent* event) {
+  // F and the views work wherever in the workspace the focus is.
+  if (event->key() == Qt::Key_F || event->key() == Qt::Key_S || event->key() == Qt::Key_T) {
+    QCoreApplication::sendEvent(viewer_, event);
+  } else {
+    Workspace::keyPressEvent(event);
+  }
+}
+
+}  // namespace limbwave::ui

@@ -1,0 +1,70 @@
+/// The Solve workspace: the figure, the curves under it, and what the inspector says about them.
+#pragma once
+
+#include <QPointer>
+#include <QTimer>
+#include <vector>
+
+#include "viewer/viewer_widget.h"
+#include "workspaces/solve/curves_panel.h"
+#include "workspaces/solve/solve_model.h"
+#include "workspaces/workspace.h"
+
+class QProgressBar;
+class QStackedWidget;
+class QToolButton;
+
+namespace limbwave::ui {
+
+class ElidedLabel;
+class EmptyState;
+
+class SolveWorkspace : public Workspace {
+  Q_OBJECT
+ public:
+  explicit SolveWorkspace(StudioContext& context, QWidget* parent = nullptr);
+
+  void activate() override;
+  void deactivate() override;
+  QWidget* create_inspector() override;
+  void reveal(const QString& topic) override;
+
+  [[nodiscard]] ViewerWidget& viewer() { return *viewer_; }
+  [[nodiscard]] CurvesPanel& curves() { return *curves_; }
+  [[nodiscard]] bool shows_live() const { return live_; }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QWidget* make_toolbar();
+  QWidget* make_main_page();
+  void follow_context();
+  void follow_live();
+  void set_live(bool live);
+  void show_state();
+  void show_figure();
+  void show_pose();
+  void poll_live();
+  void show_selection();
+
+  StudioContext& context_;
+  SolveModel& model_;
+  QStackedWidget* pages_ = nullptr;
+  EmptyState* empty_ = nullptr;
+  QWidget* main_page_ = nullptr;
+  QPushButton* empty_button_ = nullptr;
+  ViewerWidget* viewer_ = nullptr;
+  CurvesPanel* curves_ = nullptr;
+  ElidedLabel* status_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton *cancel_ = nullptr, *live_button_ = nullptr;
+  QToolButton* ghost_ = nullptr;
+  QPointer<Job> watched_;  ///< Whose progress is shown.
+  QTimer live_timer_;
+  std::uint64_t live_version_ = 0;
+  bool live_ = false, active_ = false;
+  std::vector<body::SegmentPose> poses_;
+};
+
+}  // namespace limbwave::ui
