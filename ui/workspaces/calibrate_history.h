@@ -4,8 +4,10 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QWidget>
+#include <functional>
 
 #include "calibration/calibration_desk.h"
+#include "calibration/calibration_words.h"
 
 namespace limbwave::ui {
 

@@ -1,6 +1,7 @@
 /// The table of workspaces: one row each, in the order of the mode bar.
 #include <QCoreApplication>
 
+#include "workspaces/calibrate_workspace.h"
 #include "workspaces/solve/solve_entries.h"
 #include "workspaces/solve/solve_timeline.h"
 #include "workspaces/workspace.h"
@@ -16,6 +17,7 @@ struct Workspaces {
 
 StudioParts studio_parts() {
   StudioParts parts;
+  parts.workspaces.push_back(calibrate_entry());
   parts.workspaces.push_back(solve_entry());
   parts.workspaces.push_back(export_entry());
   parts.timeline = make_solve_timeline;
