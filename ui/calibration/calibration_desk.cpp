@@ -61,9 +61,7 @@ CalibrationDesk::CalibrationDesk(StudioContext& context, CalibrationSource& sour
 }
 
 CalibrationDesk::Subject CalibrationDesk::subject() const {
-  return source_.running()                ? Subject::kLive
-         : context_.document().is_open() ? Subject::kTake
-                                          : Subject::kNone;
+  return source_.running() ? Subject::kLive : context_.document().is_open() ? Subject::kTake : Subject::kNone;
 }
 
 const body::Rig& CalibrationDesk::rig() const {
@@ -199,8 +197,8 @@ void CalibrationDesk::begin_recording(const QString& kind) {
     return;
   }
   segments_.clear();
-  const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")) + QLatin1Char('-') +
-                       kind;
+  const QString name =
+      QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")) + QLatin1Char('-') + kind;
   std::filesystem::path folder = calibration_takes_folder() / (name.toStdString() + ".take");
   std::error_code ignored;
   std::filesystem::create_directories(folder.parent_path(), ignored);

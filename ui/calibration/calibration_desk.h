@@ -1,5 +1,5 @@
-/// Everything that both wizards and the overview share: what is calibrated (rig, wearer), the library, where results go,
-/// and the recording that keeps a calibration's raw samples. No widgets.
+/// Everything that both wizards and the overview share: what is calibrated (rig, wearer), the library, where results
+/// go, and the recording that keeps a calibration's raw samples. No widgets.
 #pragma once
 
 #include <QObject>

@@ -1,4 +1,5 @@
-/// Where a wizard's readings come from: the running capture, or a test's own. Readings come in order of time, each once.
+/// Where a wizard's readings come from: the running capture, or a test's own. Readings come in order of time, each
+/// once.
 #pragma once
 
 #include <QObject>

@@ -110,9 +110,7 @@ void MovementBars::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     const double y = static_cast<double>(i) * 34.0;
-    const Tone tone = !row.has_signal                  ? Tone::kDanger
-                      : row.movement_g > threshold_g_ ? Tone::kWarning
-                                                      : Tone::kGood;
+    const Tone tone = !row.has_signal ? Tone::kDanger : row.movement_g > threshold_g_ ? Tone::kWarning : Tone::kGood;
     const QColor color = finding_color(palette(), tone);
     QFont name_font = font();
     name_font.setPixelSize(15);
@@ -128,8 +126,7 @@ void MovementBars::paintEvent(QPaintEvent*) {
       painter.setBrush(color);
       painter.drawRoundedRect(QRectF(left, bar.top(), std::max(8.0, x_of(row.movement_g) - left), bar.height()), 4, 4);
     }
-    painter.drawPixmap(QPointF(left + span + 12, y + 6),
-                       icon_pixmap(tone_icon(tone), color, 18, devicePixelRatioF()));
+    painter.drawPixmap(QPointF(left + span + 12, y + 6), icon_pixmap(tone_icon(tone), color, 18, devicePixelRatioF()));
     painter.setFont(tabular(name_font));
     painter.setPen(theme.text);
     painter.drawText(QRectF(left + span + 36, y, words - 36, 30), Qt::AlignLeft | Qt::AlignVCenter,
@@ -159,7 +156,8 @@ void CountdownDial::set_state(const QString& text, double fraction, Tone tone) {
 int CountdownDial::text_pixels() const {
   const int side = std::min(width(), height());
   // A figure fills the ring; a word has to share it.
-  return std::max(48, text_.size() <= 2 ? side / 2 : static_cast<int>(1.15 * side / std::max<qsizetype>(4, text_.size())));
+  return std::max(48,
+                  text_.size() <= 2 ? side / 2 : static_cast<int>(1.15 * side / std::max<qsizetype>(4, text_.size())));
 }
 
 void CountdownDial::paintEvent(QPaintEvent*) {
@@ -172,8 +170,8 @@ void CountdownDial::paintEvent(QPaintEvent*) {
   const QRectF inner = ring.adjusted(pen / 2, pen / 2, -pen / 2, -pen / 2);
   painter.setPen(QPen(theme.raised, pen));
   painter.drawEllipse(inner);
-  painter.setPen(QPen(tone_ == Tone::kUnknown ? theme.accent : finding_color(palette(), tone_), pen, Qt::SolidLine,
-                      Qt::RoundCap));
+  painter.setPen(
+      QPen(tone_ == Tone::kUnknown ? theme.accent : finding_color(palette(), tone_), pen, Qt::SolidLine, Qt::RoundCap));
   painter.drawArc(inner, 90 * 16, -static_cast<int>(std::lround(fraction_ * 360.0 * 16.0)));
   QFont figures = font();
   figures.setPixelSize(text_pixels());
@@ -208,16 +206,15 @@ QSize VerdictBadge::sizeHint() const {
 void VerdictBadge::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const ThemeColors& theme = theme_colors(palette());
-  painter.drawPixmap(0, 3, icon_pixmap(tone_icon(state_.tone), finding_color(palette(), state_.tone), 18,
-                                       devicePixelRatioF()));
+  painter.drawPixmap(
+      0, 3, icon_pixmap(tone_icon(state_.tone), finding_color(palette(), state_.tone), 18, devicePixelRatioF()));
   const QFont bold = tabular(font(), 1.15, QFont::DemiBold);
   painter.setFont(bold);
   painter.setPen(state_.tone == Tone::kUnknown ? theme.dim : finding_color(palette(), state_.tone));
   painter.drawText(QRect(26, 0, width() - 26, 24), Qt::AlignLeft | Qt::AlignVCenter, state_.word);
   const int advance = QFontMetrics(bold).horizontalAdvance(state_.word + QStringLiteral(" "));
   painter.setPen(theme.text);
-  painter.drawText(QRect(26 + advance, 0, width() - 26 - advance, 24), Qt::AlignLeft | Qt::AlignVCenter,
-                   state_.number);
+  painter.drawText(QRect(26 + advance, 0, width() - 26 - advance, 24), Qt::AlignLeft | Qt::AlignVCenter, state_.number);
   painter.setFont(font());
   painter.setPen(theme.dim);
   painter.drawText(QRect(26, 24, width() - 26, 20), Qt::AlignLeft | Qt::AlignVCenter,

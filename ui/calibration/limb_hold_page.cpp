@@ -66,8 +66,7 @@ QString LimbHoldPage::names(bool (*wanted)(const HolderState&)) const {
   QStringList list;
   for (const HolderState& holder : model_.holders()) {
     if (wanted(holder)) {
-      list << QString::fromStdString(
-          model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name);
+      list << QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name);
     }
   }
   return list.join(tr(", "));
@@ -80,9 +79,9 @@ void LimbHoldPage::refresh() {
   std::vector<MovementBars::Row> rows;
   lost_ = -1;
   for (const HolderState& holder : model_.holders()) {
-    rows.push_back({QString::fromStdString(
-                        model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name),
-                    holder.movement.movement_g, holder.movement.has_signal});
+    rows.push_back(
+        {QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name),
+         holder.movement.movement_g, holder.movement.has_signal});
     if (!holder.movement.has_signal && lost_ < 0) {
       lost_ = holder.sensor;
     }
@@ -111,9 +110,9 @@ void LimbHoldPage::show_hold() {
   stillest_->setVisible(model_.can_take_stillest());
   leave_out_->setVisible(!early && lost_ >= 0 && model_.can_leave_out(lost_));
   if (leave_out_->isVisibleTo(this)) {
-    leave_out_->setText(tr("Go on without %1")
-                            .arg(QString::fromStdString(
-                                model_.rig().accelerometers.at(static_cast<std::size_t>(lost_)).name)));
+    leave_out_->setText(
+        tr("Go on without %1")
+            .arg(QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(lost_)).name)));
   }
   if (model_.can_take_stillest()) {
     stillest_->setText(tr("Take the stillest second (%1)").arg(format_mg(model_.progress().best_movement_g)));

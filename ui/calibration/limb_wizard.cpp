@@ -120,9 +120,10 @@ QWidget* LimbWizard::make_prepare_page() {
     pair->addWidget(card, 1);
   }
   layout->addLayout(pair, 1);
-  how_ = paragraph(tr("After Start you have the time below to take the first pose. It is captured by itself as soon as "
-                      "everything is still for a second; a sound tells, and the second pose follows. No key is needed."),
-                   page);
+  how_ =
+      paragraph(tr("After Start you have the time below to take the first pose. It is captured by itself as soon as "
+                   "everything is still for a second; a sound tells, and the second pose follows. No key is needed."),
+                page);
   layout->addWidget(how_);
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("Time to take a pose"), page));
@@ -227,10 +228,10 @@ void LimbWizard::show_page() {
 
 void LimbWizard::leave() {
   if (model_.would_lose()) {
-    frame_->ask_leave(model_.page() == LimbPage::kResult || model_.page() == LimbPage::kCheck
-                          ? tr("The verdicts of %n sensor(s) are not saved yet.", nullptr,
-                               static_cast<int>(model_.outcomes().size()))
-                          : tr("The pose that was held would not be used."));
+    frame_->ask_leave(
+        model_.page() == LimbPage::kResult || model_.page() == LimbPage::kCheck
+            ? tr("The verdicts of %n sensor(s) are not saved yet.", nullptr, static_cast<int>(model_.outcomes().size()))
+            : tr("The pose that was held would not be used."));
   } else {
     model_.cancel();
   }

@@ -54,11 +54,11 @@ void LimbWizardModel::begin(int sensor, bool only) {
   int chosen = -1;
   for (int g = 0; g < static_cast<int>(rig_.groups.size()) && chosen < 0; ++g) {
     const std::vector<int>& members = rig_.groups[static_cast<std::size_t>(g)].sensors;
-    const bool wanted =
-        sensor >= 0 ? std::find(members.begin(), members.end(), sensor) != members.end()
-                    : std::any_of(members.begin(), members.end(), [this](int s) {
-                        return is_nominal(desk_.calibration().mounts[static_cast<std::size_t>(s)].method);
-                      });
+    const bool wanted = sensor >= 0
+                            ? std::find(members.begin(), members.end(), sensor) != members.end()
+                            : std::any_of(members.begin(), members.end(), [this](int s) {
+                                return is_nominal(desk_.calibration().mounts[static_cast<std::size_t>(s)].method);
+                              });
     chosen = wanted ? g : -1;
   }
   choose_group(std::max(0, chosen));
@@ -71,7 +71,7 @@ void LimbWizardModel::begin(int sensor, bool only) {
 void LimbWizardModel::choose_group(int group) {
   group_ = group;
   sensors_ = group < static_cast<int>(rig_.groups.size()) ? rig_.groups[static_cast<std::size_t>(group)].sensors
-                                                           : std::vector<int>{};
+                                                          : std::vector<int>{};
   Q_EMIT choice_changed();
 }
 
@@ -291,9 +291,8 @@ void LimbWizardModel::take_frames(const std::vector<decode::AccelerationFrame>& 
 
 double LimbWizardModel::captured_fraction() const {
   const std::vector<decode::AccelerationFrame>& kept = frames_.at(static_cast<std::size_t>(pose_));
-  return ready_since_s_ < 0.0 || kept.empty()
-             ? 0.0
-             : std::clamp((kept.back().time_s - ready_since_s_) / kConfirmS, 0.0, 1.0);
+  return ready_since_s_ < 0.0 || kept.empty() ? 0.0
+                                              : std::clamp((kept.back().time_s - ready_since_s_) / kConfirmS, 0.0, 1.0);
 }
 
 bool LimbWizardModel::can_take_stillest() const {

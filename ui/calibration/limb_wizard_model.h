@@ -37,9 +37,9 @@ struct HolderState {
 class LimbWizardModel : public QObject {
   Q_OBJECT
  public:
-  static constexpr double kConfirmS = 1.0;   ///< A still second is followed by this much more, for a longer mean.
+  static constexpr double kConfirmS = 1.0;    ///< A still second is followed by this much more, for a longer mean.
   static constexpr double kPatienceS = 10.0;  ///< After which the stillest second so far is offered.
-  static constexpr double kForgetS = 60.0;   ///< After which holding starts afresh.
+  static constexpr double kForgetS = 60.0;    ///< After which holding starts afresh.
 
   explicit LimbWizardModel(CalibrationDesk& desk, QObject* parent = nullptr);
 

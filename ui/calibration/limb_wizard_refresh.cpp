@@ -87,8 +87,8 @@ void LimbWizard::refresh_choice() {
   });
   const QStringList without = model_.without_range();
   range_warning_->setVisible(!without.isEmpty());
-  range_text_->setText(tr("Range never calibrated: %1. Their directions may be several degrees off.")
-                           .arg(without.join(tr(", "))));
+  range_text_->setText(
+      tr("Range never calibrated: %1. Their directions may be several degrees off.").arg(without.join(tr(", "))));
   refresh_buttons();
 }
 
@@ -111,10 +111,10 @@ void LimbWizard::refresh_buttons() {
   const LimbPage page = model_.page();
   const bool second = model_.pose() == 1;
   frame_->set_steps({tr("Limb"), tr("How"), tr("First pose"), tr("Second pose"), tr("Verdict")},
-                    page == LimbPage::kChoose                                      ? 0
-                    : page == LimbPage::kPrepare                                   ? 1
-                    : page == LimbPage::kCountdown || page == LimbPage::kHold      ? (second ? 3 : 2)
-                                                                                   : 4);
+                    page == LimbPage::kChoose                                 ? 0
+                    : page == LimbPage::kPrepare                              ? 1
+                    : page == LimbPage::kCountdown || page == LimbPage::kHold ? (second ? 3 : 2)
+                                                                              : 4);
   const QString obstacle = model_.obstacle();
   switch (page) {
     case LimbPage::kChoose:
@@ -150,9 +150,10 @@ void LimbWizard::refresh_buttons() {
 
 void LimbWizard::refresh_results() {
   const auto& outcomes = model_.outcomes();
-  const bool same = rows_.size() == outcomes.size() &&
-                    std::equal(rows_.begin(), rows_.end(), outcomes.begin(),
-                               [](const VerdictRow* row, const auto& outcome) { return row->sensor() == outcome.sensor; });
+  const bool same = rows_.size() == outcomes.size() && std::equal(rows_.begin(), rows_.end(), outcomes.begin(),
+                                                                  [](const VerdictRow* row, const auto& outcome) {
+                                                                    return row->sensor() == outcome.sensor;
+                                                                  });
   if (!same) {
     for (VerdictRow* row : rows_) {
       row->hide();
@@ -183,9 +184,9 @@ void LimbWizard::refresh_results() {
     findings << sentence(model_.refusal());
   }
   for (const Diagnostic& diagnostic : model_.diagnostics()) {
-    findings << tr("%1 %2; %3.").arg(QString::fromStdString(diagnostic.place),
-                                     QString::fromStdString(diagnostic.message),
-                                     QString::fromStdString(diagnostic.remedy));
+    findings << tr("%1 %2; %3.")
+                    .arg(QString::fromStdString(diagnostic.place), QString::fromStdString(diagnostic.message),
+                         QString::fromStdString(diagnostic.remedy));
   }
   findings_->setText(findings.join(QLatin1Char('\n')));
   findings_->setVisible(!findings.isEmpty());

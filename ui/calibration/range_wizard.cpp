@@ -35,8 +35,8 @@ VerdictRowContent range_row(const RangeOutcome& outcome, const body::Rig& rig, b
   }
   const calibrate::RangeResult& result = *outcome.result;
   content.acceptable = true;
-  content.state = {verdict_tone(result.verdict), verdict_word(result.verdict),
-                   format_mg(result.calibration.residual_g), RangeWizard::tr("RMS from 1 g, held out")};
+  content.state = {verdict_tone(result.verdict), verdict_word(result.verdict), format_mg(result.calibration.residual_g),
+                   RangeWizard::tr("RMS from 1 g, held out")};
   const bool ellipsoid = result.calibration.method == "ellipsoid";
   content.text = RangeWizard::tr("Ellipsoid %1, extremes %2: %3 is used.")
                      .arg(format_mg(result.ellipsoid.residual_g), format_mg(result.extremes.residual_g),
@@ -94,10 +94,10 @@ QWidget* RangeWizard::make_choose_page() {
   columns->addWidget(card, 3);
   auto* words = new QVBoxLayout;
   words->setSpacing(2 * kGrid);
-  words->addWidget(paragraph(
-      tr("Range calibration finds each sensor's zero and scale from gravity. It is done <b>once in a sensor's life</b>, "
-         "not on the body, and takes about a minute."),
-      page));
+  words->addWidget(paragraph(tr("Range calibration finds each sensor's zero and scale from gravity. It is done <b>once "
+                                "in a sensor's life</b>, "
+                                "not on the body, and takes about a minute."),
+                             page));
   words->addWidget(paragraph(tr("Several sensors can be calibrated at once: fix them in one small box so that none can "
                                 "slip, and turn the box."),
                              page));
@@ -118,9 +118,9 @@ QWidget* RangeWizard::make_instruction_page() {
   columns->setSpacing(4 * kGrid);
   auto* pictures = new QGridLayout;
   pictures->setSpacing(kGrid);
-  const std::array<Eigen::Vector3d, 6> ups{Eigen::Vector3d::UnitZ(),  -Eigen::Vector3d::UnitZ(),
-                                           Eigen::Vector3d::UnitX(),  -Eigen::Vector3d::UnitX(),
-                                           Eigen::Vector3d::UnitY(),  -Eigen::Vector3d::UnitY()};
+  const std::array<Eigen::Vector3d, 6> ups{Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ(),
+                                           Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitX(),
+                                           Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitY()};
   for (int i = 0; i < 6; ++i) {
     auto* cell = new Card({}, page);
     auto* cube = new SensorCube(cell);
@@ -137,7 +137,8 @@ QWidget* RangeWizard::make_instruction_page() {
   const QStringList steps{
       tr("<b>Hold the box in both hands</b>, cables slack. Sit down: it takes about a minute."),
       tr("<b>Turn it slowly until every face has looked up once</b>, then every edge and corner between them."),
-      tr("<b>Slowly</b> means about ten seconds for a full turn, without knocks. Only steady turning counts; what is too "
+      tr("<b>Slowly</b> means about ten seconds for a full turn, without knocks. Only steady turning counts; what is "
+         "too "
          "fast is left out by itself."),
       tr("The map fills up as you turn. It always names the direction that is missing most.")};
   for (int i = 0; i < steps.size(); ++i) {
@@ -210,11 +211,11 @@ void RangeWizard::refresh_buttons() {
   open_device_->setVisible(!running);
   source_line_->setText(running ? tr("Signal: <b>%1</b>").arg(model_.desk().source().title().toHtmlEscaped())
                                 : tr("<b>No signal comes in.</b>"));
-  frame_->set_steps({tr("Sensors"), tr("How"), tr("Turn"), tr("Verdict")},
-                    model_.page() == RangePage::kChoose         ? 0
-                    : model_.page() == RangePage::kInstructions ? 1
-                    : model_.page() == RangePage::kResult       ? 3
-                                                                : 2);
+  frame_->set_steps({tr("Sensors"), tr("How"), tr("Turn"), tr("Verdict")}, model_.page() == RangePage::kChoose ? 0
+                                                                           : model_.page() == RangePage::kInstructions
+                                                                               ? 1
+                                                                           : model_.page() == RangePage::kResult ? 3
+                                                                                                                 : 2);
   const QString obstacle = model_.obstacle();
   switch (model_.page()) {
     case RangePage::kChoose:
@@ -244,9 +245,10 @@ void RangeWizard::refresh_buttons() {
 
 void RangeWizard::refresh_results() {
   const auto& outcomes = model_.outcomes();
-  const bool same = rows_.size() == outcomes.size() &&
-                    std::equal(rows_.begin(), rows_.end(), outcomes.begin(),
-                               [](const VerdictRow* row, const auto& outcome) { return row->sensor() == outcome.sensor; });
+  const bool same = rows_.size() == outcomes.size() && std::equal(rows_.begin(), rows_.end(), outcomes.begin(),
+                                                                  [](const VerdictRow* row, const auto& outcome) {
+                                                                    return row->sensor() == outcome.sensor;
+                                                                  });
   if (!same) {
     for (VerdictRow* row : rows_) {
       row->hide();
@@ -278,10 +280,9 @@ void RangeWizard::refresh_results() {
 
 void RangeWizard::leave() {
   if (model_.would_lose()) {
-    frame_->ask_leave(model_.page() == RangePage::kResult
-                          ? tr("The verdicts of %n sensor(s) are not saved yet.", nullptr,
-                               static_cast<int>(model_.outcomes().size()))
-                          : tr("What was turned until now would not be used."));
+    frame_->ask_leave(model_.page() == RangePage::kResult ? tr("The verdicts of %n sensor(s) are not saved yet.",
+                                                               nullptr, static_cast<int>(model_.outcomes().size()))
+                                                          : tr("What was turned until now would not be used."));
   } else {
     model_.cancel();
   }

@@ -93,12 +93,12 @@ class RangeWizardModel : public QObject {
  Q_SIGNALS:
   void page_changed();
   void choice_changed();
-  void turned();              ///< New readings on the turning page.
-  void sufficed();            ///< Every sensor has enough: once.
+  void turned();    ///< New readings on the turning page.
+  void sufficed();  ///< Every sensor has enough: once.
   void outcomes_changed();
   void saved(int sensors);
   void save_failed(const QString& text);
-  void left();                ///< Cancelled, or done.
+  void left();  ///< Cancelled, or done.
 
  private:
   void set_page(RangePage page);

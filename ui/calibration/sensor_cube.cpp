@@ -52,7 +52,8 @@ void SensorCube::set_orientation(const Eigen::Quaterniond& R_WS) {
 
 QPointF SensorCube::place(const Vector3d& v_W) const {
   const Vector3d v = seen(v_W);
-  const double scale = std::min(width(), height()) / 4.6;
+  // With an arrow there must be room for it beyond a corner.
+  const double scale = std::min(width(), height()) / (wanted_S_ ? 4.8 : 3.7);
   return {width() / 2.0 + scale * v.x(), height() / 2.0 + 0.1 * scale - scale * v.z()};
 }
 
@@ -70,24 +71,31 @@ void SensorCube::paint_face(QPainter& painter, int axis, double sign) const {
   const QColor high = theme.dark ? theme.raised.lighter(165) : theme.panel;
   const auto mix = [light](int a, int b) { return static_cast<int>(a + (b - a) * light); };
   painter.setPen(QPen(theme.window, 1.5));
-  painter.setBrush(
-      QColor(mix(low.red(), high.red()), mix(low.green(), high.green()), mix(low.blue(), high.blue())));
+  painter.setBrush(QColor(mix(low.red(), high.red()), mix(low.green(), high.green()), mix(low.blue(), high.blue())));
   painter.drawPolygon(face);
-  // The letter lies on the face: that is what the technician compares with the sensor in the hand.
+  // The letter lies on the face: that is what the technician compares with the sensor in the hand. Of the four ways to
+  // write it, the one that stands most upright on the screen; from outside, right × up is the outward normal.
   const QPointF middle = place(R_WS_ * normal_S);
-  const QPointF right = place(R_WS_ * (normal_S + 0.5 * u_S)) - middle;
-  const QPointF up = place(R_WS_ * (normal_S + 0.5 * v_S)) - middle;
-  const double mirrored = right.x() * -up.y() - -right.y() * up.x() < 0.0 ? -1.0 : 1.0;
+  QPointF right;
+  QPointF up(0.0, 1e9);
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Vector3d up_S =
+        quarter % 2 == 0 ? (quarter == 0 ? u_S : Vector3d(-u_S)) : (quarter == 1 ? v_S : Vector3d(-v_S));
+    const QPointF up_here = place(R_WS_ * (normal_S + up_S)) - middle;
+    if (up_here.y() < up.y()) {
+      up = up_here;
+      right = place(R_WS_ * (normal_S + up_S.cross(normal_S))) - middle;
+    }
+  }
   painter.save();
-  painter.setTransform(QTransform(mirrored * right.x() / 20.0, mirrored * right.y() / 20.0, -up.x() / 20.0,
-                                  -up.y() / 20.0, middle.x(), middle.y()),
-                       true);
+  painter.setTransform(
+      QTransform(right.x() / 32.0, right.y() / 32.0, -up.x() / 32.0, -up.y() / 32.0, middle.x(), middle.y()), true);
   QFont letters = font();
-  letters.setPixelSize(22);
+  letters.setPixelSize(30);
   letters.setBold(true);
   painter.setFont(letters);
   painter.setPen(series_color(theme, axis));
-  painter.drawText(QRectF(-24, -16, 48, 32), Qt::AlignCenter,
+  painter.drawText(QRectF(-32, -24, 64, 48), Qt::AlignCenter,
                    (sign > 0 ? QStringLiteral("+") : QString(QChar(0x2212))) + QLatin1Char("xyz"[axis]));
   painter.restore();
 }

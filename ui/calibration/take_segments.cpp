@@ -35,7 +35,8 @@ std::vector<int> groups_in_take(const take::Take& take) {
 Result<std::vector<RangeOutcome>> range_from_take(const take::Take& take, const Progress& progress) {
   const take::TakeSegment* segment = find_segment(take, solve::kRangeSegment);
   if (segment == nullptr) {
-    return Error{"has no stretch in which sensors are turned", take.folder.string(), "calibrate with a running capture"};
+    return Error{"has no stretch in which sensors are turned", take.folder.string(),
+                 "calibrate with a running capture"};
   }
   const Result<solve::DecodedTake> decoded = solve::decode_take(take, {}, progress.part(0.0, 0.8));
   if (!decoded) {

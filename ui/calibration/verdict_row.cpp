@@ -73,9 +73,9 @@ void VerdictRow::set_content(const VerdictRowContent& content) {
   accept_->setText(accepted ? tr("Accepted") : tr("Accept"));
   accept_->setChecked(accepted);
   accept_->setEnabled(content.acceptable);
-  accept_->setIcon(accepted ? QIcon(icon_pixmap(QStringLiteral("good"), theme_colors(palette()).good, 16,
-                                                devicePixelRatioF()))
-                            : QIcon());
+  accept_->setIcon(
+      accepted ? QIcon(icon_pixmap(QStringLiteral("good"), theme_colors(palette()).good, 16, devicePixelRatioF()))
+               : QIcon());
   repeat_->setEnabled(content.repeatable);
   repeat_->setToolTip(content.repeatable ? QString() : tr("Needs a running capture"));
   discard_->setText(discarded ? tr("Discarded") : tr("Discard"));

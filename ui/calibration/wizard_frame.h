@@ -1,5 +1,5 @@
-/// What both wizards share: title and steps above, the page, buttons below; Enter goes on, Esc leaves and asks first when
-/// something would be lost.
+/// What both wizards share: title and steps above, the page, buttons below; Enter goes on, Esc leaves and asks first
+/// when something would be lost.
 #pragma once
 
 #include <QLabel>

@@ -48,15 +48,14 @@ CalibrationSummary summarize(const body::Rig& rig, const calibrate::RigCalibrati
       bad << QString::fromStdString(rig.accelerometers[at].name);
     }
   }
-  summary.headline = summary.ranges == count && summary.mounts >= mountable && bad.isEmpty()
-                         ? Words::tr("Everything is calibrated")
-                         : Words::tr("Range: %1 of %3.  Mounting: %2 of %3.")
-                               .arg(summary.ranges)
-                               .arg(summary.mounts)
-                               .arg(count);
+  summary.headline =
+      summary.ranges == count && summary.mounts >= mountable && bad.isEmpty()
+          ? Words::tr("Everything is calibrated")
+          : Words::tr("Range: %1 of %3.  Mounting: %2 of %3.").arg(summary.ranges).arg(summary.mounts).arg(count);
   if (summary.ranges < count) {
-    summary.next = Words::tr("Next: calibrate the range, once in a sensor's life. Uncalibrated sensors may point 6° "
-                             "or more beside the truth.");
+    summary.next = Words::tr(
+        "Next: calibrate the range, once in a sensor's life. Uncalibrated sensors may point 6° "
+        "or more beside the truth.");
   } else if (summary.mounts < mountable) {
     summary.next = Words::tr("Next: put the sensors on and calibrate the mounting.");
   } else if (!bad.isEmpty()) {
@@ -228,8 +227,7 @@ void CalibrateOverview::refresh() {
   const QString where = desk_.subject() == CalibrationDesk::Subject::kLive
                             ? tr("Running capture: %1.").arg(desk_.source().title())
                             : tr("Take: %1.").arg(desk_.context().document().name());
-  const QString wearer =
-      desk_.wearer().isEmpty() ? QString() : tr(" Worn by %1.").arg(desk_.wearer());
+  const QString wearer = desk_.wearer().isEmpty() ? QString() : tr(" Worn by %1.").arg(desk_.wearer());
   subline_->setText(where + wearer + QLatin1Char(' ') + summary.next);
   const bool ranges_first = summary.ranges < static_cast<int>(desk_.rig().accelerometers.size());
   set_style_property(range_, "primary", ranges_first);
@@ -289,8 +287,8 @@ void CalibrateOverview::refresh_rows() {
     const body::Accelerometer& accelerometer = rig.accelerometers[s];
     rows_[s]->set_content(QString::fromStdString(accelerometer.name),
                           accelerometer.serial.empty() ? tr("no serial") : QString::fromStdString(accelerometer.serial),
-                          range_state(desk_.calibration().sensors.at(s)),
-                          mount_state(desk_.calibration().mounts.at(s)), in_a_group(rig, static_cast<int>(s)));
+                          range_state(desk_.calibration().sensors.at(s)), mount_state(desk_.calibration().mounts.at(s)),
+                          in_a_group(rig, static_cast<int>(s)));
     rows_[s]->set_selected(static_cast<int>(s) == selected);
   }
 }

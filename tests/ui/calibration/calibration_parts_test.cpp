@@ -33,7 +33,8 @@ class CalibrationPartsTest : public QObject {
     for (int cell = 0; cell < calibrate::SphereCoverage::kCells; ++cell) {
       const double one = area(cell_outline(cell));
       // The outline's arcs are cut into straight pieces.
-      QVERIFY2(std::abs(one - 2.0 * kPi / calibrate::SphereCoverage::kCells) < 0.02 * one, qPrintable(QString::number(cell)));
+      QVERIFY2(std::abs(one - 2.0 * kPi / calibrate::SphereCoverage::kCells) < 0.02 * one,
+               qPrintable(QString::number(cell)));
       total += one;
     }
     QVERIFY(std::abs(total - 2.0 * kPi) < 0.1);

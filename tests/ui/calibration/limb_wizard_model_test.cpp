@@ -1,9 +1,10 @@
 /// The limb wizard driven to its end by a simulated wearer, good and bad, without a window.
+#include "calibration/limb_wizard_model.h"
+
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "calibration/limb_wizard_model.h"
 #include "geometry/so3.h"
 #include "ui/calibration/simulated_wearer.h"
 
@@ -106,7 +107,7 @@ class LimbWizardModelTest : public QObject {
 
   void moving_during_the_hold_is_told_by_name_and_not_captured() {
     LimbBench bench;
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start();
     bench.model.advance(6.0);
     bench.wearer.hold(0, 0, 5.0, 0.0, 0.15, {3});
@@ -123,7 +124,7 @@ class LimbWizardModelTest : public QObject {
 
   void whoever_cannot_hold_still_may_use_the_stillest_second() {
     LimbBench bench;
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start(0);
     QCOMPARE(bench.model.group(), 1);
     bench.model.advance(6.0);
@@ -137,7 +138,7 @@ class LimbWizardModelTest : public QObject {
 
   void poses_fifteen_degrees_off_are_to_be_repeated() {
     LimbBench bench;
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start();
     bench.hold_both(0.0, 15.0);
     for (const LimbOutcome& outcome : bench.model.outcomes()) {
@@ -156,7 +157,7 @@ class LimbWizardModelTest : public QObject {
 
   void both_poses_the_same_is_refused_with_a_reason() {
     LimbBench bench;
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start();
     bench.hold_both(0.0, -85.0);
     QVERIFY(!bench.model.refusal().message.empty());
@@ -165,7 +166,7 @@ class LimbWizardModelTest : public QObject {
 
   void one_sensor_alone_can_be_repeated() {
     LimbBench bench;
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start();
     bench.hold_both(0.0, 5.0);
     QCOMPARE(bench.model.accepted(), 4);
@@ -181,7 +182,7 @@ class LimbWizardModelTest : public QObject {
 
   void a_pulled_cable_is_told_and_can_be_left_out() {
     LimbBench bench;
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start();
     bench.model.advance(6.0);
     bench.wearer.hold(0, 0, 4.0);
@@ -203,7 +204,7 @@ class LimbWizardModelTest : public QObject {
 
   void holding_a_pose_again_checks_in_degrees() {
     LimbBench bench;
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start();
     bench.hold_both();
     bench.model.check(0);
@@ -230,7 +231,7 @@ class LimbWizardModelTest : public QObject {
     LimbBench bench;
     bench.start();
     QVERIFY(!bench.model.would_lose());
-    bench.calibrate_range();
+    bench.source.set_calibration(bench.wearer.true_ranges());
     bench.start();
     bench.model.advance(6.0);
     bench.wearer.hold(0, 0, 4.0);

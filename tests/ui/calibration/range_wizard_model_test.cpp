@@ -1,9 +1,10 @@
 /// The range wizard driven to its end by a simulated technician, good and bad, without a window.
+#include "calibration/range_wizard_model.h"
+
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "calibration/range_wizard_model.h"
 #include "ui/calibration/simulated_wearer.h"
 
 namespace limbwave::ui::testing {

@@ -80,7 +80,7 @@ class SimulatedWearer {
   [[nodiscard]] const Quaterniond& mount(int sensor) const { return mounts_.at(static_cast<std::size_t>(sensor)); }
 
   /// Turns all sensors in one box through all directions.
-  void turn(double seconds, double rate = 1.2) {
+  void turn(double seconds, double rate = 0.9) {
     feed(seconds, [this, rate](double t, int) -> Vector3d {
       phase_ = t;
       return test::hand_turn(t, rate).conjugate() * up();
@@ -98,7 +98,8 @@ class SimulatedWearer {
       return kStandardGravity * Vector3d(std::cos(0.5 * t), std::sin(0.5 * t), 0.0);
     });
   }
-  /// Holds a pose of a group: `off_deg` beside what the rig asks for, swaying by `sway_g` (RMS) in `movers` (empty: all).
+  /// Holds a pose of a group: `off_deg` beside what the rig asks for, swaying by `sway_g` (RMS) in `movers` (empty:
+  /// all).
   void hold(int group, int pose, double seconds, double off_deg = 0.0, double sway_g = 0.0,
             const std::set<int>& movers = {}) {
     const body::CalibrationGroup& limb = source_.rig().groups.at(static_cast<std::size_t>(group));
@@ -112,6 +113,18 @@ class SimulatedWearer {
     });
   }
 
+  /// The range calibrations that undo these sensors, as a good range wizard would have found them.
+  [[nodiscard]] calibrate::RigCalibration true_ranges() const {
+    calibrate::RigCalibration calibration = source_.calibration();
+    for (std::size_t s = 0; s < sensors_.size(); ++s) {
+      calibration.sensors[s].method = "ellipsoid";
+      calibration.sensors[s].date = "2026-11-01T09:30:00Z";
+      calibration.sensors[s].residual_g = 0.003;
+      calibration.sensors[s].offset = sensors_[s].offset;
+      calibration.sensors[s].M = sensors_[s].volts_per_force.inverse();
+    }
+    return calibration;
+  }
   [[nodiscard]] double now_s() const { return time_s_; }
 
  private:
