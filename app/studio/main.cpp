@@ -8,7 +8,7 @@
 #include <QTranslator>
 
 #include "base/files.h"
-#include "common/icons.h"
+#include "common/core_services.h"
 #include "common/studio_context.h"
 #include "common/theme.h"
 #include "workspaces/main_window.h"
@@ -16,10 +16,6 @@
 #include "workspaces/workspace.h"
 
 namespace {
-
-limbwave::ui::StudioServices services() {
-  return {};
-}
 
 void install_translations(QApplication& application) {
   static QTranslator ours, qt;
@@ -59,7 +55,7 @@ int main(int argc, char** argv) {
                                QStringLiteral("[TAKE]"));
   parser.process(application);
 
-  limbwave::ui::StudioContext context(services(), QString::fromStdString(limbwave::user_data_folder().string()));
+  limbwave::ui::StudioContext context(limbwave::ui::core_services(), QString::fromStdString(limbwave::user_data_folder().string()));
   QString colours = parser.value(theme);
   if (colours.isEmpty()) {
     colours = context.settings().value(QStringLiteral("theme")).toString();

@@ -59,53 +59,58 @@ std::optional<CounterEdge> time_edge(const ChannelView& channel, std::int64_t ne
   return CounterEdge{position, step > 0.0, step};
 }
 
-double StepScanner::height(std::int64_t block) const {
-  const auto sum = [&](std::int64_t index) { return sums_[static_cast<std::size_t>(index) % kHistory]; };
-  return (sum(block + 1) + sum(block + 2) - sum(block - 1) - sum(block - 2)) /
-         (2.0 * static_cast<double>(scales_.block));
-}
-
 std::int64_t StepScanner::needs_from() const {
   return origin_ + std::max<std::int64_t>(0, summed_ - 2 * kAhead) * scales_.block - scales_.reach();
+}
+
+bool StepScanner::is_largest(std::int64_t block, float height) const {
+  const auto magnitude = [&](std::int64_t other) {
+    return std::fabs(heights_[static_cast<std::size_t>(other) % kHistory]);
+  };
+  for (std::int64_t distance = 1; distance <= kNear; ++distance) {
+    if (magnitude(block - distance) >= height || magnitude(block + distance) > height) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void StepScanner::skip_to(std::int64_t sample) {
+  const std::int64_t block = (sample - origin_) / scales_.block;
+  if (block > summed_) {
+    summed_ = block;
+    heights_.fill(0.0F);
+    fresh_ = true;
+  }
 }
 
 std::optional<StepScanner::Step> StepScanner::next(const ChannelView& channel, double threshold, bool end) {
   // Blocks past the end repeat the last sum, which makes no steps.
   const std::int64_t available = (channel.last - origin_) / scales_.block;
   const std::int64_t limit = end ? available + kAhead : available;
+  const auto least = static_cast<float>(threshold * 2.0 * static_cast<double>(scales_.block));
+  const auto per_sample = 1.0 / (2.0 * static_cast<double>(scales_.block));
   while (summed_ < limit) {
-    const auto slot = static_cast<std::size_t>(summed_) % kHistory;
+    float sum = sums_[4];
     if (summed_ < available) {
       const float* samples = channel.at(origin_ + summed_ * scales_.block);
-      double sum = 0.0;
+      sum = 0.0F;
       for (std::int64_t i = 0; i < scales_.block; ++i) {
         sum += samples[i];
       }
-      sums_[slot] = sum;
-    } else {
-      sums_[slot] = summed_ > 0 ? sums_[static_cast<std::size_t>(summed_ - 1) % kHistory] : 0.0;
     }
+    if (fresh_) {
+      std::fill(sums_.begin(), sums_.end(), sum);  // nor do blocks before the start
+      fresh_ = false;
+    }
+    sums_ = {sums_[1], sums_[2], sums_[3], sums_[4], sum};
     ++summed_;
-    const std::int64_t newest = summed_ - 3;  // the newest block whose height is known
-    if (newest < 2) {
-      continue;
-    }
-    heights_[static_cast<std::size_t>(newest) % kHistory] = height(newest);
-    const std::int64_t candidate = newest - 4;
-    if (candidate < 2) {
-      continue;
-    }
-    const double value = heights_[static_cast<std::size_t>(candidate) % kHistory];
-    if (std::fabs(value) < threshold) {
-      continue;
-    }
-    bool largest = true;
-    for (std::int64_t other = std::max<std::int64_t>(2, candidate - 4); other <= candidate + 4; ++other) {
-      const double height_there = std::fabs(heights_[static_cast<std::size_t>(other) % kHistory]);
-      largest = largest && (other < candidate ? height_there < std::fabs(value) : height_there <= std::fabs(value));
-    }
-    if (largest) {
-      return Step{origin_ + candidate * scales_.block + scales_.block / 2, value};
+    // The newest block whose height is known lies two back, the newest whose neighbours are known kAhead.
+    heights_[static_cast<std::size_t>(summed_ - 3 + kOffset) % kHistory] = sums_[3] + sums_[4] - sums_[0] - sums_[1];
+    const std::int64_t candidate = summed_ - kAhead;
+    const float height = heights_[static_cast<std::size_t>(candidate + kOffset) % kHistory];
+    if (std::fabs(height) >= least && candidate >= 0 && is_largest(candidate + kOffset, std::fabs(height))) {
+      return Step{origin_ + candidate * scales_.block + scales_.block / 2, height * per_sample};
     }
   }
   return std::nullopt;

@@ -1,6 +1,7 @@
 /// Edges of the counter bit: found as steps, then timed to a hundredth of a sample.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -52,21 +53,26 @@ class StepScanner {
   /// The next step of at least `threshold`; empty when no more can be told from the samples so far. At the `end` of
   /// a stretch the last blocks are looked at too.
   std::optional<Step> next(const ChannelView& channel, double threshold, bool end);
+  /// There is nothing to look for before this sample.
+  void skip_to(std::int64_t sample);
   /// First sample that the scanner still needs.
   [[nodiscard]] std::int64_t needs_from() const;
   /// Every step found so far lies before this sample, every one to come at or after it.
   [[nodiscard]] std::int64_t position() const { return origin_ + (summed_ - kAhead) * scales_.block; }
 
  private:
-  static constexpr std::int64_t kAhead = 7;    // blocks after a step before it is known to be the largest near by
-  static constexpr std::size_t kHistory = 16;  // power of two
-  [[nodiscard]] double height(std::int64_t block) const;
+  static constexpr std::int64_t kNear = 4;           // blocks on either side among which a step must be the largest
+  static constexpr std::int64_t kAhead = kNear + 3;  // blocks after a step before that is known
+  static constexpr std::size_t kHistory = 16;        // power of two
+  static constexpr std::int64_t kOffset = 64;        // keeps indices of the history positive
+  [[nodiscard]] bool is_largest(std::int64_t block, float height) const;
 
   EdgeScales scales_;
   std::int64_t origin_;
   std::int64_t summed_ = 0;  // blocks summed so far
-  double sums_[kHistory] = {};
-  double heights_[kHistory] = {};
+  bool fresh_ = true;
+  std::array<float, 5> sums_{};            // of the newest blocks
+  std::array<float, kHistory> heights_{};  // second half of two blocks minus first, around a block
 };
 
 /// The counter as the judge needs it: all edges of a stretch, if they look like a counter's.

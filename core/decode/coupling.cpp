@@ -5,36 +5,55 @@
 
 namespace limbwave::decode {
 
-void DecayRegression::add(double level, double slope) {
+void DecayRegression::add(double level, double slope, double step) {
   weight_ += 1.0;
   level_ += level;
+  step_ += step;
   slope_ += slope;
   level_level_ += level * level;
+  level_step_ += level * step;
+  step_step_ += step * step;
   level_slope_ += level * slope;
+  step_slope_ += step * slope;
   slope_slope_ += slope * slope;
 }
 
 void DecayRegression::fade(double factor) {
-  for (double* sum : {&weight_, &level_, &slope_, &level_level_, &level_slope_, &slope_slope_}) {
+  for (double* sum : {&weight_, &level_, &step_, &slope_, &level_level_, &level_step_, &step_step_, &level_slope_,
+                      &step_slope_, &slope_slope_}) {
     *sum *= factor;
   }
 }
 
 DecayRegression::Estimate DecayRegression::estimate() const {
   Estimate result;
-  if (weight_ < 3.0) {
+  if (weight_ < 4.0) {
     return result;
   }
-  const double spread = level_level_ - level_ * level_ / weight_;
-  if (!(spread > 1e-12 * weight_)) {
+  // Centred moments; then the part that goes with the steps is taken out (Frisch and Waugh).
+  double ll = level_level_ - level_ * level_ / weight_;
+  double lz = level_slope_ - level_ * slope_ / weight_;
+  double zz = slope_slope_ - slope_ * slope_ / weight_;
+  const double ls = level_step_ - level_ * step_ / weight_;
+  const double ss = step_step_ - step_ * step_ / weight_;
+  const double sz = step_slope_ - step_ * slope_ / weight_;
+  const bool steps = ss > 1e-12 * weight_;
+  if (steps) {
+    ll -= ls * ls / ss;
+    lz -= ls * sz / ss;
+    zz -= sz * sz / ss;
+  }
+  if (!(ll > 1e-12 * weight_)) {
     return result;
   }
-  const double common = level_slope_ - level_ * slope_ / weight_;
-  result.kappa = -common / spread;
-  const double rest = std::max(0.0, slope_slope_ - slope_ * slope_ / weight_ - common * common / spread);
-  result.sd = std::sqrt(rest / (weight_ - 2.0) / spread);
-  // slope mean = −κ (level mean − c)
-  result.offset = result.kappa > 4.0 * result.sd ? (level_ + slope_ / result.kappa) / weight_ : 0.0;
+  result.kappa = -lz / ll;
+  const double rest = std::max(0.0, zz - lz * lz / ll);
+  result.sd = std::sqrt(rest / (weight_ - 3.0) / ll);
+  if (result.kappa > 4.0 * result.sd) {
+    const double transient = steps ? (sz + result.kappa * ls) / ss : 0.0;
+    // The means obey slope = −κ (level − c) + a · step as well.
+    result.offset = (level_ + (slope_ - transient * step_) / result.kappa) / weight_;
+  }
   return result;
 }
 
@@ -45,28 +64,36 @@ void CouplingEstimator::add(const CycleMeasurement& cycle, const std::array<doub
   const double keep = std::exp(-1.0 / memory_cycles_);
   if (!cycle.counter_clipped) {
     counter_.fade(keep);
-    counter_.add(cycle.low.mean, cycle.low.slope);
-    counter_.add(cycle.high.mean, cycle.high.slope);
+    counter_.add(cycle.low.mean, cycle.low.slope, 0.0);
+    counter_.add(cycle.high.mean, cycle.high.slope, 0.0);
   }
-  if (waiting_ == 2) {
-    // Slope = −κ (level − c) + motion: the levels before and after tell the motion.
-    const auto& [before, middle] = window_;
-    data_.fade(keep);
-    for (int j = 0; j < slots; ++j) {
-      const auto index = static_cast<std::size_t>(j);
-      const std::uint32_t bit = 1U << index;
-      if (((before.cycle.clipped | middle.cycle.clipped | cycle.clipped) & bit) != 0) {
-        continue;
-      }
-      const double motion =
-          (levels[index] - before.levels[index]) / (cycle.slots[index].centre - before.cycle.slots[index].centre);
-      data_.add(middle.cycle.slots[index].mean, middle.cycle.slots[index].slope - motion);
+  if (waiting_ == kWindow) {
+    std::move(window_.begin() + 1, window_.end(), window_.begin());
+    --waiting_;
+  }
+  window_[waiting_++] = {cycle, levels};
+  if (waiting_ < kWindow) {
+    return;
+  }
+  // Slope = −κ (level − c) + motion: the levels two cycles before and after tell the motion, to fourth order.
+  const CycleMeasurement& middle = window_[2].cycle;
+  const auto last = static_cast<std::size_t>(slots - 1);
+  std::uint32_t clipped = 0;
+  for (const Waiting& waiting : window_) {
+    clipped |= waiting.cycle.clipped;
+  }
+  data_.fade(keep);
+  for (std::size_t j = 0; j <= last; ++j) {
+    if ((clipped >> j & 1U) != 0) {
+      continue;
     }
-    window_[0] = window_[1];
-    waiting_ = 1;
+    const double near = window_[3].levels[j] - window_[1].levels[j];
+    const double far = window_[4].levels[j] - window_[0].levels[j];
+    const double distance = window_[4].cycle.slots[j].centre - window_[0].cycle.slots[j].centre;
+    const double motion = (8.0 * near - far) / (3.0 * distance);
+    const double step = window_[2].levels[j] - window_[2].levels[j == 0 ? last : j - 1];
+    data_.add(middle.slots[j].mean, middle.slots[j].slope - motion, step);
   }
-  window_[static_cast<std::size_t>(waiting_)] = {cycle, levels};
-  ++waiting_;
 }
 
 DecayRegression::Estimate CouplingEstimator::data() const {

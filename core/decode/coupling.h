@@ -7,11 +7,13 @@
 
 namespace limbwave::decode {
 
-/// Weighted regression slope = −κ (level − c) + noise with fading memory. κ is per sample: 2π · corner / rate.
+/// Regression slope = −κ (level − c) + a · step + noise, with fading memory. κ is per sample: 2π · corner / rate.
+/// What is left of the transient after an edge is proportional to the edge's height, whatever the filter that rings:
+/// the second term keeps it out of κ.
 class DecayRegression {
  public:
-  /// A level and its slope (value per sample).
-  void add(double level, double slope);
+  /// A level, its slope (value per sample), and the height of the edge before it.
+  void add(double level, double slope, double step);
   /// Multiplies the weight of everything so far.
   void fade(double factor);
   struct Estimate {
@@ -22,8 +24,10 @@ class DecayRegression {
   [[nodiscard]] Estimate estimate() const;
 
  private:
-  double weight_ = 0.0, level_ = 0.0, slope_ = 0.0;  // sums
-  double level_level_ = 0.0, level_slope_ = 0.0, slope_slope_ = 0.0;
+  // Sums of 1, level, step, slope and of their products.
+  double weight_ = 0.0, level_ = 0.0, step_ = 0.0, slope_ = 0.0;
+  double level_level_ = 0.0, level_step_ = 0.0, step_step_ = 0.0;
+  double level_slope_ = 0.0, step_slope_ = 0.0, slope_slope_ = 0.0;
 };
 
 /// Both channels' coupling. The counter's is known precisely after a few cycles; it is the prior for the data channel,
@@ -48,8 +52,9 @@ class CouplingEstimator {
   };
   double memory_cycles_;
   DecayRegression counter_, data_;
-  std::array<Waiting, 2> window_;  // the cycle before, and the one in the middle
-  int waiting_ = 0;
+  static constexpr std::size_t kWindow = 5;
+  std::array<Waiting, kWindow> window_;  // the newest cycles in a row, newest last
+  std::size_t waiting_ = 0;
 };
 
 }  // namespace limbwave::decode

@@ -12,10 +12,7 @@ constexpr float kFullScale = 0.9995F;
 constexpr float kBeyond = 1.0001F;
 constexpr int kShortestRun = 3;
 
-bool touches_full_scale(const float* samples, int count) {
-  if (largest_magnitude(samples, count) < kFullScale) {
-    return false;
-  }
+bool stays_at_full_scale(const float* samples, int count) {
   int run = 0;
   for (int i = 0; i < count; ++i) {
     const float magnitude = std::fabs(samples[i]);
@@ -37,7 +34,8 @@ class Walk {
     sum_ += sum_samples(channel_.at(at_), from - at_);
     const WindowSums sums = sum_window(window, channel_.at(from));
     const LevelReading reading{static_cast<double>(from) + window.centre(), sums.mean, sum_ + sums.integral, sums.slope,
-                               sums.residual_variance(window)};
+                               sums.variance};
+    clipped_ = sums.largest >= kFullScale && stays_at_full_scale(channel_.at(from), window.length);
     own_integral_ = sums.integral;
     sum_ += sums.sum;
     at_ = from + window.length;
@@ -45,12 +43,15 @@ class Walk {
   }
   /// Integral of the last reading from its own window's first sample.
   [[nodiscard]] double own_integral() const { return own_integral_; }
+  /// Whether the last reading's window touched full scale.
+  [[nodiscard]] bool clipped() const { return clipped_; }
 
  private:
   ChannelView channel_;
   std::int64_t at_;
   double sum_ = 0.0;
   double own_integral_ = 0.0;
+  bool clipped_ = false;
 };
 
 }  // namespace
@@ -63,7 +64,7 @@ CycleMeasurement CycleMeter::measure(const CycleBounds& bounds, const ChannelVie
   const double slot = result.period() / format_.slots;
 
   // Slots: never the start of a slot, and a third of that at its end, where a linear-phase filter rings ahead.
-  const int length = std::max(2, static_cast<int>(std::floor(slot * (1.0 - settle_ * (4.0 / 3.0)))) - 1);
+  const int length = std::max(2, static_cast<int>(std::floor(slot * (1.0 - settle_ * (4.0 / 3.0)))));
   const SettledWindow& window = bank_.get(length);
   result.data_noise_gain = window.noise_gain;
   std::array<std::int64_t, kMaxSlots> from{};
@@ -87,19 +88,20 @@ CycleMeasurement CycleMeter::measure(const CycleBounds& bounds, const ChannelVie
       origin = result.slots[0].integral;
     }
     result.slots[index].integral -= origin;
-    if (touches_full_scale(data.at(from[index]), length)) {
+    if (walk.clipped()) {
       result.clipped |= 1U << index;
     }
   }
   const auto last = static_cast<std::size_t>(format_.slots - 1);
 
   // The counter's halves: all but half a slot after and a quarter before the edges.
-  const int half_length = std::max(2, static_cast<int>(std::floor(slot * (half_slots - 0.75))) - 1);
+  const int half_length = std::max(2, static_cast<int>(std::floor(slot * (half_slots - 0.75))));
   const SettledWindow& half_window = bank_.get(half_length);
   const auto low_from = static_cast<std::int64_t>(std::ceil(bounds.start + 0.5 * slot));
   const auto high_from = static_cast<std::int64_t>(std::ceil(bounds.middle + 0.5 * slot));
   Walk counter_walk(counter, result.linked ? counter_from_ : low_from);
   result.low = counter_walk.read(half_window, low_from);
+  result.counter_clipped = counter_walk.clipped();
   result.high = counter_walk.read(half_window, high_from);
   const double counter_origin = result.linked ? high_.integral : result.low.integral;
   result.low.integral -= counter_origin;
@@ -107,8 +109,7 @@ CycleMeasurement CycleMeter::measure(const CycleBounds& bounds, const ChannelVie
   result.previous_high = high_;
   result.previous_high.integral = 0.0;
   result.previous_reference.integral = 0.0;
-  result.counter_clipped =
-      touches_full_scale(counter.at(low_from), half_length) || touches_full_scale(counter.at(high_from), half_length);
+  result.counter_clipped = result.counter_clipped || counter_walk.clipped();
 
   // For the next cycle: the integral of these two windows from their own start.
   reference_ = result.slots[last];

@@ -14,8 +14,8 @@
 #include "decode/finding_log.h"
 #include "decode/line_judge.h"
 #include "decode/line_monitor.h"
-#include "decode/peak_meter.h"
 #include "decode/reference_filter.h"
+#include "decode/stereo_history.h"
 #include "decode/swing_tracker.h"
 
 namespace limbwave::decode {
@@ -26,6 +26,8 @@ constexpr double kJudgeAgain_s = 0.5;  // step of further tries
 constexpr double kLost_s = 0.5;        // without a cycle the line is judged anew
 constexpr double kCouplingMemory_s = 60.0;
 constexpr double kEdgeThreshold = 0.25;  // of the counter's swing
+constexpr double kOnTime = 0.02;         // of half a cycle: an edge that close to its time is an expected one
+constexpr double kSkipped = 0.75;        // of half a cycle after it holds no other edge
 constexpr int kToldEach = 5;             // findings of a kind before they are only counted
 constexpr std::size_t kChunk = 4096;     // frames handled at once: stays in the cache
 
@@ -37,6 +39,7 @@ struct LineInDecoder::Impl {
         rate(sample_rate),
         parameters(user),
         scales(board, sample_rate),
+        history(sample_rate),
         memory_cycles(kCouplingMemory_s * board.cycle_rate_hz),
         scanner(scales, 0),
         tracker(board, sample_rate),
@@ -44,21 +47,17 @@ struct LineInDecoder::Impl {
         coupling(memory_cycles),
         swing(0.0, false),
         log(kToldEach),
-        monitor(board, sample_rate, log),
-        left_peaks(sample_rate),
-        right_peaks(sample_rate) {}
+        monitor(board, sample_rate, log) {}
 
-  // Samples: one contiguous stretch, [first, position).
+  // Samples come in contiguous stretches.
   void push(std::span<const float> interleaved);
-  void append(std::span<const float> interleaved);
-  void append_with_holes(std::span<const float> interleaved);
+  void push_with_holes(std::span<const float> interleaved);
   void end_stretch();
-  void start_stretch();
+  void start_stretch(std::int64_t position);
   void end_hole();
   void drop_old();
-  [[nodiscard]] ChannelView view(const std::vector<float>& channel) const { return {channel.data(), first, position}; }
-  [[nodiscard]] ChannelView data_view() const { return view(status.swapped ? right : left); }
-  [[nodiscard]] ChannelView counter_view() const { return view(status.swapped ? left : right); }
+  [[nodiscard]] ChannelView data_view() const { return status.swapped ? history.right() : history.left(); }
+  [[nodiscard]] ChannelView counter_view() const { return status.swapped ? history.left() : history.right(); }
 
   // Decoding. `end`: no more samples follow in this stretch.
   void process(bool end);
@@ -74,11 +73,9 @@ struct LineInDecoder::Impl {
   SampleRate rate;
   LineInParameters parameters;
   EdgeScales scales;
+  StereoHistory history;
   double memory_cycles;
-
-  std::vector<float> left, right;
-  std::int64_t first = 0, position = 0;
-  std::int64_t hole_from = -1;  // start of a run of non-finite samples
+  std::int64_t hole_from = -1, hole_length = 0;  // a run of non-finite samples
 
   bool judged = false;
   std::int64_t judge_from = 0;    // start of the stretch to judge
@@ -95,12 +92,11 @@ struct LineInDecoder::Impl {
   double deadline = 0.0;  // no cycle until then: the line is lost
   bool any_cycle = false, was_usable = true, told_lost = false;
   bool interrupted = false;  // samples are known to be missing since the last cycle
-  double last_end = 0.0, last_period = 0.0;
+  double last_end = 0.0, last_period = 0.0, last_edge = -1e9;
   std::int64_t last_number = -1;
 
   FindingLog log;
   LineMonitor monitor;
-  PeakMeter left_peaks, right_peaks;
   LineInStatus status;
   std::vector<LineInCycle> cycles;
 };
@@ -108,50 +104,38 @@ struct LineInDecoder::Impl {
 void LineInDecoder::Impl::push(std::span<const float> interleaved) {
   for (std::size_t at = 0; at < interleaved.size(); at += 2 * kChunk) {
     const auto chunk = interleaved.subspan(at, std::min(2 * kChunk, interleaved.size() - at));
-    if (hole_from < 0 && all_finite(chunk)) {
-      append(chunk);
+    if (hole_from < 0 && history.append(chunk)) {
       process(false);
     } else {
-      append_with_holes(chunk);
+      push_with_holes(chunk);
     }
   }
-  status.left_peak = left_peaks.peak();
-  status.right_peak = right_peaks.peak();
+  status.left_peak = history.left_peak();
+  status.right_peak = history.right_peak();
 }
 
-void LineInDecoder::Impl::append(std::span<const float> interleaved) {
+void LineInDecoder::Impl::push_with_holes(std::span<const float> interleaved) {
   const std::size_t frames = interleaved.size() / 2;
-  const std::size_t old = left.size();
-  left.resize(old + frames);
-  right.resize(old + frames);
-  for (std::size_t i = 0; i < frames; ++i) {
-    left[old + i] = interleaved[2 * i];
-    right[old + i] = interleaved[2 * i + 1];
-  }
-  left_peaks.add(position, std::span(left).subspan(old));
-  right_peaks.add(position, std::span(right).subspan(old));
-  position += static_cast<std::int64_t>(frames);
-}
-
-void LineInDecoder::Impl::append_with_holes(std::span<const float> interleaved) {
-  const std::size_t frames = interleaved.size() / 2;
+  const auto finite = [&](std::size_t frame) {
+    return std::isfinite(interleaved[2 * frame]) && std::isfinite(interleaved[2 * frame + 1]);
+  };
   std::size_t at = 0;
   while (at < frames) {
-    const bool good = std::isfinite(interleaved[2 * at]) && std::isfinite(interleaved[2 * at + 1]);
+    const bool good = finite(at);
     std::size_t to = at + 1;
-    while (to < frames && (std::isfinite(interleaved[2 * to]) && std::isfinite(interleaved[2 * to + 1])) == good) {
+    while (to < frames && finite(to) == good) {
       ++to;
     }
     if (good) {
       end_hole();
-      append(interleaved.subspan(2 * at, 2 * (to - at)));
+      history.append(interleaved.subspan(2 * at, 2 * (to - at)));
       process(false);
     } else {
       if (hole_from < 0) {
-        hole_from = position;
+        hole_from = history.position();
         end_stretch();
       }
-      position += static_cast<std::int64_t>(to - at);
+      hole_length += static_cast<std::int64_t>(to - at);
     }
     at = to;
   }
@@ -159,18 +143,17 @@ void LineInDecoder::Impl::append_with_holes(std::span<const float> interleaved) 
 
 void LineInDecoder::Impl::end_hole() {
   if (hole_from >= 0) {
-    log.add({Severity::kError, "line-in.not-finite", fmt::format("{} samples are not numbers", position - hole_from),
+    log.add({Severity::kError, "line-in.not-finite", fmt::format("{} samples are not numbers", hole_length),
              "The file or device delivers broken data: record again or convert the file anew", "",
              static_cast<double>(hole_from) / rate.hz});
+    start_stretch(hole_from + hole_length);
     hole_from = -1;
-    start_stretch();
+    hole_length = 0;
   }
 }
 
 void LineInDecoder::Impl::end_stretch() {
   process(true);
-  left.clear();
-  right.clear();
   step.reset();
   meter.unlink();
   reference.restart();
@@ -179,8 +162,8 @@ void LineInDecoder::Impl::end_stretch() {
   interrupted = true;
 }
 
-void LineInDecoder::Impl::start_stretch() {
-  first = position;
+void LineInDecoder::Impl::start_stretch(std::int64_t position) {
+  history.restart(position);
   judge_from = position;
   scanner = StepScanner(scales, position);
   deadline = static_cast<double>(position) + kLost_s * rate.hz;
@@ -189,20 +172,17 @@ void LineInDecoder::Impl::start_stretch() {
 void LineInDecoder::Impl::process(bool end) {
   while (judged ? scan(end) : judge(end)) {
   }
-  if (!end) {
-    drop_old();
-  }
+  drop_old();
 }
 
 bool LineInDecoder::Impl::judge(bool end) {
-  const std::int64_t until = std::min(position, judge_from + samples(kJudged_s));
+  const std::int64_t until = std::min(history.position(), judge_from + samples(kJudged_s));
   if (until <= judge_from || (until - judge_from < samples(kJudged_s) && !end)) {
     return false;
   }
-  const auto part = [&](const std::vector<float>& channel) {
-    return ChannelView{channel.data() + (judge_from - first), judge_from, until};
-  };
-  LineJudgement judgement = judge_line(part(left), part(right), format, rate, parameters, memory_cycles);
+  const auto part = [&](const ChannelView& channel) { return ChannelView{channel.at(judge_from), judge_from, until}; };
+  LineJudgement judgement =
+      judge_line(part(history.left()), part(history.right()), format, rate, parameters, memory_cycles);
   status.decided = true;
   if (!judgement.usable) {
     // A failure is told once, not every half second that it lasts.
@@ -213,7 +193,7 @@ bool LineInDecoder::Impl::judge(bool end) {
         log.add(std::move(finding));
       }
     }
-    judge_from = std::min(position, judge_from + samples(kJudgeAgain_s));
+    judge_from = std::min(history.position(), judge_from + samples(kJudgeAgain_s));
     return true;
   }
   told_failure.clear();
@@ -249,7 +229,7 @@ bool LineInDecoder::Impl::scan(bool end) {
     lose_line(deadline);
     return true;
   }
-  if (!step || (!end && step->near + scales.reach() > position)) {
+  if (!step || (!end && step->near + scales.reach() > counter.last)) {
     return false;
   }
   auto edge = time_edge(counter, step->near, coupling.counter().kappa, scales);
@@ -259,6 +239,11 @@ bool LineInDecoder::Impl::scan(bool end) {
     if (const auto bounds = tracker.push(*edge)) {
       decode_cycle(*bounds);
     }
+    // The edge came when it was due: the next one is not due before most of a half cycle has passed.
+    if (std::fabs(edge->position - last_edge - tracker.half()) < kOnTime * tracker.half()) {
+      scanner.skip_to(static_cast<std::int64_t>(edge->position + kSkipped * tracker.half()));
+    }
+    last_edge = edge->position;
   }
   return true;
 }
@@ -270,7 +255,7 @@ void LineInDecoder::Impl::lose_line(double at) {
     report_lost(last_end, at, false);
     told_lost = true;
   }
-  judge_from = std::clamp(static_cast<std::int64_t>(at - kLost_s * rate.hz), first, position);
+  judge_from = std::clamp(static_cast<std::int64_t>(at - kLost_s * rate.hz), history.first(), history.position());
   step.reset();
 }
 
@@ -373,12 +358,7 @@ void LineInDecoder::Impl::drop_old() {
         std::min({scanner.needs_from(), meter.needs_from(), static_cast<std::int64_t>(deadline - kLost_s * rate.hz)}) -
         4 * scales.reach();
   }
-  const std::int64_t old = keep - first;
-  if (old > static_cast<std::int64_t>(kChunk) && 2 * old > static_cast<std::int64_t>(left.size())) {
-    left.erase(left.begin(), left.begin() + old);
-    right.erase(right.begin(), right.begin() + old);
-    first = keep;
-  }
+  history.drop_before(keep);
 }
 
 LineInDecoder::LineInDecoder(const LineInFormat& format, SampleRate rate, const LineInParameters& parameters)
@@ -400,14 +380,13 @@ void LineInDecoder::gap(SampleCount count) {
   }
   impl_->end_hole();
   impl_->end_stretch();
-  impl_->position += count.value;
-  impl_->start_stretch();
+  impl_->start_stretch(impl_->history.position() + count.value);
 }
 
 void LineInDecoder::finish() {
   impl_->end_hole();
   impl_->end_stretch();
-  impl_->start_stretch();
+  impl_->start_stretch(impl_->history.position());
   impl_->monitor.finish();
   impl_->log.summarise();
 }

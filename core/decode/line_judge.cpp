@@ -92,6 +92,7 @@ Survey survey_cycles(const CounterSearch& search, bool inverted, const ChannelVi
     CycleMeter meter(format, settle_fraction);
     ReferenceFilter reference;
     double variance = 0.0;
+    double clipped_swing = 0.0;  // only used when there is nothing better
     for (CounterEdge edge : search.edges) {
       edge.rising = edge.rising != inverted;
       const auto bounds = tracker.push(edge);
@@ -110,9 +111,10 @@ Survey survey_cycles(const CounterSearch& search, bool inverted, const ChannelVi
           survey.levels[j] += levels[j];
           variance += cycle.slots[j].variance;
         }
-        survey.swing += cycle.high.mean - cycle.low.mean +
-                        counter_kappa * (cycle.high.integral - cycle.low.integral -
-                                         counter_offset * (cycle.high.centre - cycle.low.centre));
+        const double swing = cycle.high.mean - cycle.low.mean +
+                             counter_kappa * (cycle.high.integral - cycle.low.integral -
+                                              counter_offset * (cycle.high.centre - cycle.low.centre));
+        (cycle.counter_clipped ? clipped_swing : survey.swing) += swing;
       }
     }
     survey.coupling = coupling;
@@ -121,7 +123,8 @@ Survey survey_cycles(const CounterSearch& search, bool inverted, const ChannelVi
       for (double& level : survey.levels) {
         level /= survey.cycles;
       }
-      survey.swing = std::fabs(survey.swing / survey.cycles);
+      const int good = survey.cycles - survey.clipped_counters;
+      survey.swing = std::fabs(good > 0 ? survey.swing / good : clipped_swing / survey.cycles);
       survey.noise = std::sqrt(variance / survey.cycles / format.slots);
     }
   }

@@ -1,22 +1,12 @@
 #include "decode/settled_window.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "signal/lanes.h"
+
 namespace limbwave::decode {
-namespace {
-
-// Lanes that do not depend on each other let the compiler vectorise sums without being allowed to reorder them.
-constexpr int kLanes = 4;
-using Lanes = std::array<double, kLanes>;
-
-double total(const Lanes& lanes) {
-  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
-
-}  // namespace
 
 SettledWindow::SettledWindow(int samples) : length(std::max(samples, 2)) {
   const auto count = static_cast<std::size_t>(length);
@@ -36,90 +26,76 @@ SettledWindow::SettledWindow(int samples) : length(std::max(samples, 2)) {
   mean.resize(count);
   slope.resize(count);
   integral.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    mean[i] = 0.5 * (step[i] + step[i + 1]);
-    slope[i] = step[i] - step[i + 1];
-  }
   double after = 0.0;
   for (std::size_t i = count; i-- > 0;) {
-    integral[i] = after + 0.5 * mean[i];
-    after += mean[i];
+    const double weight = 0.5 * (step[i] + step[i + 1]);
+    mean[i] = static_cast<float>(weight);
+    slope[i] = static_cast<float>(step[i] - step[i + 1]);
+    integral[i] = static_cast<float>(after + 0.5 * weight);
+    after += weight;
+    integral_sum += integral[i];
     const double distance = static_cast<double>(i) - centre();
-    spread += mean[i] * distance * distance;
-    noise_gain += mean[i] * mean[i];
+    spread += weight * distance * distance;
+    noise_gain += weight * weight;
   }
-}
-
-double WindowSums::residual_variance(const SettledWindow& window) const {
-  return std::max(0.0, square - mean * mean - slope * slope * window.spread);
 }
 
 WindowSums sum_window(const SettledWindow& window, const float* samples) {
-  Lanes mean{};
-  Lanes integral{};
-  Lanes slope{};
-  Lanes square{};
-  Lanes sum{};
-  const double* w = window.mean.data();
-  const double* c = window.integral.data();
-  const double* v = window.slope.data();
-  const int whole = window.length / kLanes * kLanes;
-  for (int i = 0; i < whole; i += kLanes) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const double y = samples[i + lane];
-      const double weighted = w[i + lane] * y;
-      mean[static_cast<std::size_t>(lane)] += weighted;
-      square[static_cast<std::size_t>(lane)] += weighted * y;
-      integral[static_cast<std::size_t>(lane)] += c[i + lane] * y;
-      slope[static_cast<std::size_t>(lane)] += v[i + lane] * y;
-      sum[static_cast<std::size_t>(lane)] += y;
-    }
+  // Relative to a sample in the middle the values are small, so that single precision is plenty.
+  using signal::load_lanes;
+  const float pivot = samples[window.length / 2];
+  const signal::Lanes pivots = signal::all_lanes(pivot);
+  signal::Lanes mean{};
+  signal::Lanes square{};
+  signal::Lanes integral{};
+  signal::Lanes slope{};
+  signal::Lanes sum{};
+  signal::Lanes largest{};
+  const float* w = window.mean.data();
+  const float* c = window.integral.data();
+  const float* v = window.slope.data();
+  const int whole = window.length / signal::kLanes * signal::kLanes;
+  for (int i = 0; i < whole; i += signal::kLanes) {
+    const signal::Lanes y = load_lanes(samples + i);
+    const signal::Lanes d = y - pivots;
+    const signal::Lanes weighted = load_lanes(w + i) * d;
+    mean += weighted;
+    square += weighted * d;
+    integral += load_lanes(c + i) * d;
+    slope += load_lanes(v + i) * d;
+    sum += d;
+    largest = signal::larger(signal::magnitude(y), largest);
   }
-  WindowSums result{total(mean), total(integral), total(slope), total(square), total(sum)};
+  double mean_d = signal::sum_of(mean);
+  double square_d = signal::sum_of(square);
+  WindowSums result;
+  result.integral = signal::sum_of(integral) + window.integral_sum * pivot;
+  result.slope = signal::sum_of(slope);
+  result.sum = signal::sum_of(sum) + static_cast<double>(window.length) * pivot;
+  result.largest = signal::largest_of(largest);
   for (int i = whole; i < window.length; ++i) {
-    const double y = samples[i];
-    result.mean += w[i] * y;
-    result.square += w[i] * y * y;
-    result.integral += c[i] * y;
-    result.slope += v[i] * y;
-    result.sum += y;
+    const double d = samples[i] - pivot;
+    mean_d += w[i] * d;
+    square_d += w[i] * d * d;
+    result.integral += c[i] * d;
+    result.slope += v[i] * d;
+    result.sum += d;
+    result.largest = std::max(result.largest, std::fabs(samples[i]));
   }
+  result.mean = pivot + mean_d;
+  result.variance = std::max(0.0, square_d - mean_d * mean_d - result.slope * result.slope * window.spread);
   return result;
 }
 
 double sum_samples(const float* samples, std::ptrdiff_t count) {
-  Lanes lanes{};
-  const std::ptrdiff_t whole = count / kLanes * kLanes;
-  for (std::ptrdiff_t i = 0; i < whole; i += kLanes) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      lanes[static_cast<std::size_t>(lane)] += samples[i + lane];
-    }
+  double even = 0.0;
+  double odd = 0.0;
+  std::ptrdiff_t i = 0;
+  for (; i + 2 <= count; i += 2) {
+    even += samples[i];
+    odd += samples[i + 1];
   }
-  double sum = total(lanes);
-  for (std::ptrdiff_t i = whole; i < count; ++i) {
-    sum += samples[i];
-  }
-  return sum;
-}
-
-float largest_magnitude(const float* samples, std::ptrdiff_t count) {
-  std::array<float, 8> lanes{};
-  const std::ptrdiff_t whole = count / 8 * 8;
-  for (std::ptrdiff_t i = 0; i < whole; i += 8) {
-    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) {
-      const float magnitude = std::fabs(samples[i + lane]);
-      float& largest = lanes[static_cast<std::size_t>(lane)];
-      largest = magnitude > largest ? magnitude : largest;
-    }
-  }
-  float largest = 0.0F;
-  for (const float lane : lanes) {
-    largest = std::max(largest, lane);
-  }
-  for (std::ptrdiff_t i = whole; i < count; ++i) {
-    largest = std::max(largest, std::fabs(samples[i]));
-  }
-  return largest;
+  return even + odd + (i < count ? samples[i] : 0.0F);
 }
 
 const SettledWindow& WindowBank::get(int length) {

@@ -12,14 +12,14 @@ namespace limbwave::decode {
 struct SettledWindow {
   explicit SettledWindow(int samples);
   int length;
-  std::vector<double> mean;  ///< w: weights of the mean, sum 1.
-  std::vector<double>
-      integral;  ///< Weights that give Σ w_n ∫y up to sample n, trapezoid rule, from the window's start.
+  std::vector<float> mean;      ///< w: weights of the mean, sum 1.
+  std::vector<float> integral;  ///< Give Σ w_n ∫y up to sample n by the trapezoid rule, from the window's start.
   /// v with Σ v y = Σ w y' per sample: exactly −κ Σ w y for a signal that decays by the trapezoid rule
   /// y_n − y_{n−1} = −κ (y_n + y_{n−1}) / 2.
-  std::vector<double> slope;
-  double spread = 0.0;      ///< Σ w (n − centre)², samples².
-  double noise_gain = 0.0;  ///< Σ w²: variance of the mean for white noise of variance 1.
+  std::vector<float> slope;
+  double integral_sum = 0.0;  ///< Sum of `integral`.
+  double spread = 0.0;        ///< Σ w (n − centre)², samples².
+  double noise_gain = 0.0;    ///< Σ w²: variance of the mean for white noise of variance 1.
   /// Distance of the window's centre from its first sample, samples.
   [[nodiscard]] double centre() const { return 0.5 * (length - 1); }
 };
@@ -29,19 +29,15 @@ struct WindowSums {
   double mean = 0.0;      ///< Σ w y
   double integral = 0.0;  ///< Mean of the running integral from the window's first sample, value · samples.
   double slope = 0.0;     ///< Mean slope, value per sample.
-  double square = 0.0;    ///< Σ w y²
+  double variance = 0.0;  ///< Σ w (y − line)², about the straight line of that mean and slope.
   double sum = 0.0;       ///< Σ y
-  /// Variance of what is left after a straight line.
-  [[nodiscard]] double residual_variance(const SettledWindow& window) const;
+  float largest = 0.0F;   ///< Largest |y|.
 };
 
 /// One pass over `window.length` samples. The order of the additions is fixed.
 WindowSums sum_window(const SettledWindow& window, const float* samples);
 /// Σ samples; the order of the additions is fixed.
 double sum_samples(const float* samples, std::ptrdiff_t count);
-/// Largest |sample|.
-float largest_magnitude(const float* samples, std::ptrdiff_t count);
-
 /// Windows by length, made when first asked for.
 class WindowBank {
  public:

@@ -3,11 +3,35 @@
 #include <algorithm>
 #include <utility>
 
+#include "decode/alignment_kernel.h"
+
 namespace limbwave::decode {
 namespace {
 
-constexpr std::size_t kBefore = 3;
-constexpr std::size_t kAfter = 2;
+constexpr std::size_t kAfter = AlignmentKernel::kAfter;
+constexpr std::size_t kBefore = 3;  // of the polynomial
+
+const AlignmentKernel& kernel() {
+  static const AlignmentKernel instance;
+  return instance;
+}
+
+/// The polynomial through `count` points, at x = 0: Lagrange's form, which copes with any spacing.
+double interpolate_at_zero(const double* x, const double* values, std::size_t count) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    double numerator = values[k];
+    double denominator = 1.0;
+    for (std::size_t l = 0; l < count; ++l) {
+      if (l != k) {
+        numerator *= x[l];
+        denominator *= x[l] - x[k];
+      }
+    }
+    sum += numerator / denominator;
+  }
+  return sum;
+}
 
 bool supports(const LineInCycle& cycle, std::size_t slot) {
   return cycle.valid && (cycle.clipped >> slot & 1U) == 0;
@@ -23,7 +47,7 @@ void SlotAligner::push(const LineInCycle& cycle) {
   while (next_ + kAfter < window_.size()) {
     emit(next_++);
   }
-  while (next_ > kBefore) {
+  while (next_ > AlignmentKernel::kBefore) {
     window_.pop_front();
     --next_;
   }
@@ -42,41 +66,40 @@ std::vector<AccelerationFrame> SlotAligner::take_frames() {
 }
 
 double SlotAligner::interpolate(std::size_t index, std::size_t slot, double instant) const {
-  std::array<double, kBefore + 1 + kAfter> times{};
+  if (index >= AlignmentKernel::kBefore && index + kAfter < window_.size()) {
+    AlignmentKernel::Values instants;
+    AlignmentKernel::Values volts;
+    const double per_sample = 1.0 / window_[index].period_samples;
+    bool whole = true;
+    for (std::size_t k = 0; k < AlignmentKernel::kTaps; ++k) {
+      const LineInCycle& cycle = window_[index + k - AlignmentKernel::kBefore];
+      whole = whole && supports(cycle, slot);
+      instants[k] = (cycle.sample[slot] - instant) * per_sample;
+      volts[k] = cycle.volts[slot];
+    }
+    if (whole) {
+      return kernel().at_zero(instants, volts);
+    }
+  }
+  // Unbroken support on either side of this cycle; a bad cycle itself is bridged.
+  std::array<double, kBefore + 1 + kAfter> x{};
   std::array<double, kBefore + 1 + kAfter> values{};
   std::size_t count = 0;
-  const auto add = [&](std::size_t k) {
-    times[count] = window_[k].sample[slot];
-    values[count] = window_[k].volts[slot];
-    ++count;
+  const auto add = [&](const LineInCycle& cycle) {
+    const bool good = supports(cycle, slot);
+    if (good) {
+      x[count] = cycle.sample[slot] - instant;
+      values[count] = cycle.volts[slot];
+      ++count;
+    }
+    return good;
   };
-  if (supports(window_[index], slot)) {
-    add(index);
+  add(window_[index]);
+  for (std::size_t k = 1; k <= std::min(index, kBefore) && add(window_[index - k]); ++k) {
   }
-  for (std::size_t k = index; k-- > (index > kBefore ? index - kBefore : 0);) {
-    if (!supports(window_[k], slot)) {
-      break;
-    }
-    add(k);
+  for (std::size_t k = index + 1; k < std::min(window_.size(), index + kAfter + 1) && add(window_[k]); ++k) {
   }
-  for (std::size_t k = index + 1; k < std::min(window_.size(), index + kAfter + 1); ++k) {
-    if (!supports(window_[k], slot)) {
-      break;
-    }
-    add(k);
-  }
-  if (count == 0) {
-    return window_[index].volts[slot];
-  }
-  // Neville's scheme: exact instants, no matter how evenly they are spaced.
-  for (std::size_t order = 1; order < count; ++order) {
-    for (std::size_t k = 0; k + order < count; ++k) {
-      const double a = times[k];
-      const double b = times[k + order];
-      values[k] = ((instant - b) * values[k] + (a - instant) * values[k + 1]) / (a - b);
-    }
-  }
-  return values[0];
+  return count == 0 ? window_[index].volts[slot] : interpolate_at_zero(x.data(), values.data(), count);
 }
 
 void SlotAligner::emit(std::size_t index) {

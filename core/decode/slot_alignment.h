@@ -19,10 +19,10 @@ struct AccelerationFrame {
   bool gap_before = false;
 };
 
-/// One frame per cycle, at the middle of the cycle. Every axis is interpolated by the polynomial through its values in
-/// (at most) the three cycles before, this one and the two after. Never across gaps; invalid cycles and clipped values
-/// are no support. A frame of an unusable sensor carries values interpolated from its neighbours, for drawing.
-/// Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
+/// One frame per cycle, at the middle of the cycle. Every axis is interpolated by AlignmentKernel; near gaps, invalid
+/// cycles and clipped values by the polynomial through what is good in the three cycles before, this one and the two
+/// after. Never across gaps. A frame of an unusable sensor carries values interpolated from its neighbours, for
+/// drawing. Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
 class SlotAligner {
  public:
   SlotAligner(int sensors, SampleRate rate) : sensors_(sensors), rate_(rate) {}

@@ -16,9 +16,6 @@ SwingTracker::Reading SwingTracker::step(const CycleMeasurement& cycle, const De
   Reading reading;
   if (cycle.counter_clipped) {
     reading.fallback = true;
-    if (!known_) {
-      mean_ = std::fabs(cycle.high.mean - cycle.low.mean);
-    }
     reading.swing = mean_;
     unsettled_ = true;
     return reading;

@@ -17,7 +17,7 @@ class SwingTracker {
     bool fallback = false;  ///< The counter is clipped: an older swing is used, or a clipped one if there is no older.
     bool moved = false;     ///< The gain is not what it was.
   };
-  /// `inverted`: the counter is high in the first half. `first_swing` serves until one is measured.
+  /// `inverted`: the counter is high in the first half. `first_swing` serves while nothing better is measured.
   SwingTracker(double first_swing, bool inverted) : mean_(first_swing), sign_(inverted ? -1.0 : 1.0) {}
   Reading step(const CycleMeasurement& cycle, const DecayRegression::Estimate& coupling);
   [[nodiscard]] double swing() const { return mean_; }

@@ -10,8 +10,10 @@ namespace {
 
 // Direction noise at which the memory is half of smoothing_s: about one degree.
 constexpr double kHalfMemoryNoise = 0.02;
+// The best reading counts as no better than this, radians: the limb turns meanwhile.
+constexpr double kLeastDirectionSd = 0.05;
 // However long a burst lasts, what was before it is worth less and less.
-constexpr double kLongestMemory = 0.5;
+constexpr double kLongestMemory = 0.25;
 
 }  // namespace
 
@@ -20,8 +22,8 @@ AdaptiveFilter::Sum AdaptiveFilter::alone(const ForceSample& sample, double acce
   if (!sample.usable || !(norm > 1e-3) || !std::isfinite(norm)) {
     return {};
   }
-  const double variance =
-      (acceleration_sd * acceleration_sd + noise * noise) / (kStandardGravity * kStandardGravity) + 1e-12;
+  const double variance = (acceleration_sd * acceleration_sd + noise * noise) / (kStandardGravity * kStandardGravity) +
+                          kLeastDirectionSd * kLeastDirectionSd;
   return {sample.f_L / (norm * variance), 1.0 / variance};
 }
 
@@ -30,7 +32,7 @@ const AdaptiveFilter::Sum& AdaptiveFilter::step(const ForceSample& sample, doubl
   // Memory comes from noise and from mistrust; with neither it is nil and the reading goes through as it is.
   const double noise_angle = noise / kStandardGravity;
   const double memory_of_noise = parameters_.smoothing_s * noise_angle / (noise_angle + kHalfMemoryNoise);
-  const double mistrust = acceleration_sd / (parameters_.across_ratio * parameters_.half_trust_deviation);
+  const double mistrust = acceleration_sd / parameters_.half_trust_deviation;
   double memory = std::min(kLongestMemory, memory_of_noise + parameters_.smoothing_s * mistrust * mistrust);
   const Sum own = alone(sample, acceleration_sd, noise);
   if (own.weight <= 0.0) {

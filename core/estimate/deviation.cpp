@@ -9,10 +9,21 @@ namespace limbwave::estimate {
 namespace {
 
 constexpr std::array<double, 7> kSixthDifference = {1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0};
-constexpr double kSixthDifferenceGain = 30.397368307141327;  // √924, the root of the sum of squares
-constexpr double kMedianOfNormal = 0.6744897501960817;
+constexpr double kSixthDifferenceSquare = 924.0;  // sum of their squares
 // Differences need even spacing; a lost cycle starts them anew.
 constexpr double kLargestStep = 0.05;
+// Over which the mean square is taken to either side, seconds, and the memory of the live form.
+constexpr double kNoiseSeconds = 0.5;
+
+// Mean square over the three axes of what seven samples hold of white noise.
+template <typename Samples>
+double noise_square(const Samples& samples) {
+  Vector3d difference = Vector3d::Zero();
+  for (std::size_t k = 0; k < kSixthDifference.size(); ++k) {
+    difference += kSixthDifference[k] * samples(k);
+  }
+  return difference.squaredNorm() / (3.0 * kSixthDifferenceSquare);
+}
 
 }  // namespace
 
@@ -20,6 +31,7 @@ void NoiseFloor::push(const ForceSample& sample) {
   if (!sample.usable || sample.time_s - last_time_s_ > kLargestStep) {
     filled_ = 0;
   }
+  const double dt = sample.time_s - last_time_s_;
   last_time_s_ = sample.time_s;
   if (!sample.usable) {
     return;
@@ -27,44 +39,50 @@ void NoiseFloor::push(const ForceSample& sample) {
   std::shift_left(taps_.begin(), taps_.end(), 1);
   taps_.back() = sample.f_L;
   filled_ = std::min(filled_ + 1, kTaps);
-  if (filled_ < kTaps) {
-    return;
+  if (filled_ == kTaps) {
+    const double now = noise_square([&](std::size_t k) -> const Vector3d& { return taps_[k]; });
+    square_ += (1.0 - std::exp(-dt / kNoiseSeconds)) * (now - square_);
   }
-  Vector3d difference = Vector3d::Zero();
-  for (std::size_t i = 0; i < kTaps; ++i) {
-    difference += kSixthDifference[i] * taps_[i];
-  }
-  // A running median: up by a small factor when the size is above it, down when below. 1 % a step and axis follows a
-  // change by a factor of e in half a second, and a burst of 0.3 s moves it by less than 2.
-  for (int axis = 0; axis < 3; ++axis) {
-    const double size = std::abs(difference[axis]) / (kSixthDifferenceGain * kMedianOfNormal);
-    noise_ *= size > noise_ ? 1.01 : 1.0 / 1.01;
-  }
-  noise_ = std::max(noise_, kFloor);
 }
 
-double noise_floor_of(std::span<const ForceSample> samples, double otherwise) {
-  std::vector<double> sizes;
-  for (std::size_t i = 6; i < samples.size(); ++i) {
-    Vector3d difference = Vector3d::Zero();
-    bool whole = true;
+double NoiseFloor::noise() const {
+  return std::max(kFloor, std::sqrt(square_));
+}
+
+std::vector<double> noise_around(std::span<const ForceSample> samples, double otherwise) {
+  constexpr std::size_t kMiddle = 3;
+  // Prefix sums of the squares, each placed at the middle of its seven samples.
+  std::vector<double> sum(samples.size() + 1, 0.0);
+  std::vector<int> count(samples.size() + 1, 0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    double square = 0.0;
+    bool whole = i >= kMiddle && i + kMiddle < samples.size();
     for (std::size_t k = 0; k < 7 && whole; ++k) {
-      const ForceSample& sample = samples[i - 6 + k];
-      whole = sample.usable && (k == 0 || sample.time_s - samples[i - 7 + k].time_s <= kLargestStep);
-      difference += kSixthDifference[k] * sample.f_L;
+      whole = samples[i + k - kMiddle].usable &&
+              (k == 0 || samples[i + k - kMiddle].time_s - samples[i + k - kMiddle - 1].time_s <= kLargestStep);
     }
     if (whole) {
-      for (int axis = 0; axis < 3; ++axis) {
-        sizes.push_back(std::abs(difference[axis]));
-      }
+      square = noise_square([&](std::size_t k) -> const Vector3d& { return samples[i + k - kMiddle].f_L; });
     }
+    sum[i + 1] = sum[i] + square;
+    count[i + 1] = count[i] + (whole ? 1 : 0);
   }
-  if (sizes.size() < 60) {
-    return otherwise;
+  std::vector<double> noise;
+  noise.reserve(samples.size());
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  for (const ForceSample& sample : samples) {
+    while (sample.time_s - samples[begin].time_s > kNoiseSeconds) {
+      ++begin;
+    }
+    while (end < samples.size() && samples[end].time_s - sample.time_s <= kNoiseSeconds) {
+      ++end;
+    }
+    const int n = count[end] - count[begin];
+    noise.push_back(n < 10 ? otherwise
+                           : std::max(NoiseFloor::kFloor, std::sqrt(std::max(0.0, sum[end] - sum[begin]) / n)));
   }
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(NoiseFloor::kFloor, *middle / (kSixthDifferenceGain * kMedianOfNormal));
+  return noise;
 }
 
 double deviation_around(std::span<const ForceSample> samples, std::size_t index, double burst_s, double ahead_s) {
@@ -88,9 +106,9 @@ double deviation_around(std::span<const ForceSample> samples, std::size_t index,
   return std::max(around, own);
 }
 
-double acceleration_sd(double deviation, const InclinationParameters& parameters) {
-  const double free = parameters.free_deviation;
-  return parameters.across_ratio * std::sqrt(std::max(0.0, deviation * deviation - free * free));
+double acceleration_sd(double deviation, double noise, const InclinationParameters& parameters) {
+  const double explained = std::max(parameters.free_deviation, noise);
+  return std::sqrt(std::max(0.0, deviation * deviation - explained * explained));
 }
 
 void RecentSamples::push(const ForceSample& sample) {

@@ -45,11 +45,9 @@ struct InclinationParameters {
   /// | |f| − g | beyond `free_deviation` at which trust is one half, m/s² (0.1 g, about 6° of direction).
   double half_trust_deviation = 0.98;
   /// How long before and after a deviation its neighbourhood is suspect, seconds: an acceleration that is across
-  /// gravity for a moment does not show in |f|, the burst around it does.
+  /// gravity for a moment does not show in |f|, the burst around it does. Limbs do not keep an acceleration up for
+  /// more than half a second.
   double burst_s = 0.15;
-  /// Acceleration across gravity in a burst relative to what shows along it. A limb that swings by ±0.5 rad about a
-  /// joint feels αr across and ω²r along it, about 2 to 1.
-  double across_ratio = 2.0;
   /// Standard deviation of sensor noise assumed until it has been observed, m/s² per axis.
   double sensor_noise = 0.02;
 };

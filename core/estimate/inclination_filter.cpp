@@ -1,6 +1,7 @@
 #include "estimate/inclination_filter.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -11,171 +12,227 @@ namespace limbwave::estimate {
 namespace {
 
 using Eigen::Matrix3d;
+using Eigen::Vector2d;
 using Matrix = InclinationFilter::Matrix;
-using Vector = InclinationFilter::Vector;
+using Axes = InclinationFilter::Axes;
+using Column = Eigen::Matrix<double, InclinationFilter::kStates, 1>;
 
-// A limb cannot turn the same way for long; its rate is forgotten in about a second.
-constexpr double kRateTime = 1.0;
+// Limbs turn back and forth: a movement once a second keeps the sign of its rate for half a second, so the rate is
+// forgotten in half of that.
+constexpr double kRateTime = 0.25;
 // Angular acceleration of unhurried limbs, rad/s²: half a radian of amplitude at half a hertz.
 constexpr double kCalmAngularAcceleration = 4.0;
-// Limbs accelerate by turning about joints; sensors sit about this far from the joint that moves them, metres.
-constexpr double kLever = 0.4;
 // For how long angular acceleration keeps its sign, seconds; makes a white noise density of its variance.
 constexpr double kAngularAccelerationTime = 0.2;
-// An acceleration of limbs keeps its sign for at most half a second (line-in paper §5), typically a third.
-constexpr double kAccelerationOmega = 2.0 * kPi * 1.5;
+// An acceleration of limbs keeps its sign for at most half a second (line-in paper §5), typically a quarter; above
+// some 4 Hz muscles do little.
+constexpr double kAccelerationOmega = 2.0 * kPi * 2.0;
 constexpr double kAccelerationDamping = 0.7;
+constexpr double kAccelerationRolloff = 2.0 * kPi * 4.0;
 // Limb acceleration that is always possible, m/s²; keeps covariances positive, is 0.006° of direction.
 constexpr double kLeastAcceleration = 1e-3;
+// How far the very first reading is believed, radians.
+constexpr double kFirstReadingSd = 0.5;
+// Beyond this disagreement in calm readings the filter starts anew, radians.
+constexpr double kLostAngle = 1.0;
 // Nothing is bridged over more than this without readings, seconds.
 constexpr double kLongestGap = 1.0;
 // 0.1 % of χ² with two degrees of freedom.
 constexpr double kGate = 13.8;
+// Degrees of freedom of Student's t in the likelihood of a sample.
+constexpr double kStudent = 4.0;
 
-constexpr int kTheta = 0;
-constexpr int kRate = 2;
-constexpr int kVelocity = 4;
-constexpr int kAcceleration = 7;
+constexpr int kTilt = 0;
+constexpr int kRate = 1;
+constexpr int kVelocity = 2;
+constexpr int kAcceleration = 3;
+
+Matrix3d acceleration_dynamics() {
+  Matrix3d A;
+  A << 0.0, 1.0, 0.0, -kAccelerationOmega * kAccelerationOmega, -2.0 * kAccelerationDamping * kAccelerationOmega, 1.0,
+      0.0, 0.0, -kAccelerationRolloff;
+  return A;
+}
+
+// The covariance that (y, a, b) settles at, for a of unit variance: A S + S Aᵀ + B Bᵀ = 0 with B along b.
+Matrix3d stationary_covariance() {
+  const Matrix3d A = acceleration_dynamics();
+  Eigen::Matrix<double, 9, 9> system = Eigen::Matrix<double, 9, 9>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        system(3 * i + j, 3 * k + j) += A(i, k);
+        system(3 * i + j, 3 * i + k) += A(j, k);
+      }
+    }
+  }
+  Eigen::Matrix<double, 9, 1> right = Eigen::Matrix<double, 9, 1>::Zero();
+  right[8] = -1.0;
+  const Eigen::Matrix<double, 9, 1> solution = system.partialPivLu().solve(right);
+  Matrix3d S = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solution.data());
+  S = 0.5 * (S + S.transpose()).eval();
+  return S / S(1, 1);
+}
+
+const Matrix3d& stationary() {
+  static const Matrix3d covariance = stationary_covariance();
+  return covariance;
+}
+
+// exp(A t) by Taylor's series on a short step, squared up.
+Matrix3d exponential(const Matrix3d& A, double t) {
+  int squarings = 0;
+  while (A.norm() * t > 0.5 && squarings < 20) {
+    t *= 0.5;
+    ++squarings;
+  }
+  Matrix3d term = Matrix3d::Identity();
+  Matrix3d sum = Matrix3d::Identity();
+  for (int k = 1; k <= 10; ++k) {
+    term = (term * A * (t / k)).eval();
+    sum += term;
+  }
+  for (int k = 0; k < squarings; ++k) {
+    sum = (sum * sum).eval();
+  }
+  return sum;
+}
 
 void symmetrise(Matrix& P) {
   P = 0.5 * (P + P.transpose()).eval();
 }
 
-void correct(InclinationFilter::State& state, const Vector& dx) {
-  state.R_NL = geometry::exp_so3({dx[0], dx[1], 0.0}) * state.R_NL;
-  state.R_NL.normalize();
-  state.w += dx.segment<2>(kRate);
-  state.y += dx.segment<3>(kVelocity);
-  state.a += dx.segment<3>(kAcceleration);
+// A tilt (t_x, t_y) is a rotation by t about (0, 0, 1) × t: the up direction of N moves by −t.
+Quaterniond tilted(const Quaterniond& R_NL, const Vector2d& tilt) {
+  return (geometry::exp_so3({tilt.y(), -tilt.x(), 0.0}) * R_NL).normalized();
+}
+
+// Puts the tilt of a correction into the rotation.
+void correct(InclinationFilter::State& state, const Axes& dx) {
+  state.x += dx;
+  state.R_NL = tilted(state.R_NL, state.x.row(kTilt));
+  state.x.row(kTilt).setZero();
+}
+
+// Joseph form of a scalar measurement with row h, the same for both axes.
+void measure(InclinationFilter::State& state, const Column& h, double variance, const Eigen::RowVector2d& innovation) {
+  const Column Ph = state.P * h;
+  const double s = h.dot(Ph) + variance;
+  const Column K = Ph / s;
+  const Matrix A = Matrix::Identity() - K * h.transpose();
+  state.P = A * state.P * A.transpose() + variance * K * K.transpose();
+  symmetrise(state.P);
+  correct(state, K * innovation);
 }
 
 }  // namespace
+
+AccelerationStep acceleration_step(double dt) {
+  static const Matrix3d A = acceleration_dynamics();
+  AccelerationStep step;
+  step.dt = dt;
+  step.transition = exponential(A, std::min(dt, kLongestGap));
+  step.driven = stationary() - step.transition * stationary() * step.transition.transpose();
+  return step;
+}
 
 void InclinationFilter::start(const ForceSample& sample, double acceleration_sd, double noise) {
   state_ = State{};
   state_.R_NL = geometry::shortest_arc(sample.f_L, Vector3d::UnitZ());
   const double direction = std::hypot(acceleration_sd, noise) / kStandardGravity;
   const double a = std::max(acceleration_sd, kLeastAcceleration);
-  state_.P.diagonal() << direction * direction + 1e-10, direction * direction + 1e-10, 1.0, 1.0,
-      Vector3d::Constant(std::pow(a / kAccelerationOmega, 2)), Vector3d::Constant(a * a);
+  // One reading alone may be anything; those after it shall decide.
+  state_.P(kTilt, kTilt) = direction * direction + kFirstReadingSd * kFirstReadingSd;
+  state_.P(kRate, kRate) = 1.0;
+  state_.P.bottomRightCorner<3, 3>() = a * a * stationary();
   record_ = Record{};
   record_.predicted = record_.updated = state_;
   started_ = true;
 }
 
-void InclinationFilter::predict(double dt, double acceleration_sd) {
-  Matrix& F = record_.F;
-  F.setIdentity();
+void InclinationFilter::predict(const AccelerationStep& step, double acceleration_sd) {
+  const double dt = std::min(step.dt, kLongestGap);
   const double decay = std::exp(-dt / kRateTime);
   const double turned = kRateTime * (1.0 - decay);
-  F.block<2, 2>(kTheta, kRate) = turned * Eigen::Matrix2d::Identity();
-  F.block<2, 2>(kRate, kRate) = decay * Eigen::Matrix2d::Identity();
-  const double damping = kAccelerationDamping * kAccelerationOmega;
-  const double damped = kAccelerationOmega * std::sqrt(1.0 - kAccelerationDamping * kAccelerationDamping);
-  const double e = std::exp(-damping * dt);
-  const double c = std::cos(damped * dt);
-  const double s = std::sin(damped * dt) / damped;
-  Eigen::Matrix2d oscillator;
-  oscillator << e * (c + damping * s), e * s, -e * kAccelerationOmega * kAccelerationOmega * s, e * (c - damping * s);
-  F.block<3, 3>(kVelocity, kVelocity) = oscillator(0, 0) * Matrix3d::Identity();
-  F.block<3, 3>(kVelocity, kAcceleration) = oscillator(0, 1) * Matrix3d::Identity();
-  F.block<3, 3>(kAcceleration, kVelocity) = oscillator(1, 0) * Matrix3d::Identity();
-  F.block<3, 3>(kAcceleration, kAcceleration) = oscillator(1, 1) * Matrix3d::Identity();
+  Matrix& F = record_.F;
+  F.setIdentity();
+  F(kTilt, kRate) = turned;
+  F(kRate, kRate) = decay;
+  F.bottomRightCorner<3, 3>() = step.transition;
 
-  const double lever_rate = acceleration_sd / kLever;
+  const double lever_rate = acceleration_sd / lever_;
   // Smoothing over longer times means slower turning: the density goes with the third power of time.
-  const double slower = std::pow(0.08 / parameters_.smoothing_s, 3);
+  const double slower = std::pow(InclinationParameters{}.smoothing_s / parameters_.smoothing_s, 3);
   const double q = slower * kAngularAccelerationTime *
                    (kCalmAngularAcceleration * kCalmAngularAcceleration + lever_rate * lever_rate);
-  Matrix Q = Matrix::Zero();
-  Q.block<2, 2>(kTheta, kTheta) = q * dt * dt * dt / 3.0 * Eigen::Matrix2d::Identity();
-  Q.block<2, 2>(kTheta, kRate) = q * dt * dt / 2.0 * Eigen::Matrix2d::Identity();
-  Q.block<2, 2>(kRate, kTheta) = Q.block<2, 2>(kTheta, kRate);
-  Q.block<2, 2>(kRate, kRate) = q * dt * Eigen::Matrix2d::Identity();
-  // What the oscillator needs to keep its stationary covariance diag(σ²/ω0², σ²).
   const double a = std::max(acceleration_sd, kLeastAcceleration);
-  const Eigen::Matrix2d stationary =
-      Eigen::Vector2d(std::pow(a / kAccelerationOmega, 2), a * a).asDiagonal().toDenseMatrix();
-  const Eigen::Matrix2d driven = stationary - oscillator * stationary * oscillator.transpose();
-  Q.block<3, 3>(kVelocity, kVelocity) = driven(0, 0) * Matrix3d::Identity();
-  Q.block<3, 3>(kVelocity, kAcceleration) = driven(0, 1) * Matrix3d::Identity();
-  Q.block<3, 3>(kAcceleration, kVelocity) = driven(1, 0) * Matrix3d::Identity();
-  Q.block<3, 3>(kAcceleration, kAcceleration) = driven(1, 1) * Matrix3d::Identity();
-
-  state_.R_NL = geometry::exp_so3({turned * state_.w.x(), turned * state_.w.y(), 0.0}) * state_.R_NL;
-  state_.w *= decay;
-  const Vector3d velocity = state_.y;
-  state_.y = oscillator(0, 0) * velocity + oscillator(0, 1) * state_.a;
-  state_.a = oscillator(1, 0) * velocity + oscillator(1, 1) * state_.a;
-  state_.P = F * state_.P * F.transpose() + Q;
+  state_.P = F * state_.P * F.transpose();
+  state_.P(kTilt, kTilt) += q * dt * dt * dt / 3.0;
+  state_.P(kTilt, kRate) += q * dt * dt / 2.0;
+  state_.P(kRate, kTilt) += q * dt * dt / 2.0;
+  state_.P(kRate, kRate) += q * dt;
+  state_.P.bottomRightCorner<3, 3>() += a * a * step.driven;
   symmetrise(state_.P);
+  const Axes moved = F * state_.x;
+  state_.x.setZero();
+  correct(state_, moved);
 }
 
 void InclinationFilter::update(const ForceSample& sample, double acceleration_sd, double noise) {
-  // With R_NL = exp(θ) R̂_NL the model R_NL f_L = g z + a + noise becomes f̂_N − g z − â = f̂_N × θ + δa + noise.
+  // The reading should point along (a_x, a_y, what is left of its length). How far it is turned from there, times its
+  // length, is what tilt and acceleration explain; unlike its x and y this also says when the filter is upside down.
+  const double length = sample.f_L.norm();
   const Vector3d f_N = state_.R_NL * sample.f_L;
-  const Vector3d innovation = f_N - kStandardGravity * Vector3d::UnitZ() - state_.a;
-  const Matrix3d cross = geometry::skew(f_N);
-  Eigen::Matrix<double, 6, kStates> H = Eigen::Matrix<double, 6, kStates>::Zero();
-  H.block<3, 2>(0, kTheta) = cross.leftCols<2>();
-  H.block<3, 3>(0, kAcceleration) = Matrix3d::Identity();
-  H.block<3, 3>(3, kAcceleration) = Matrix3d::Identity();
+  const Vector2d a = state_.x.row(kAcceleration);
+  const double upward = std::sqrt(std::max(length * length - a.squaredNorm(), 0.1 * length * length));
+  const Vector3d turn = geometry::log_so3(geometry::shortest_arc({a.x(), a.y(), upward}, f_N));
+  const Eigen::RowVector2d innovation = length * Eigen::RowVector2d(turn.y(), -turn.x());
+  Column h = Column::Zero();
+  h[kTilt] = length;
+  h[kAcceleration] = length / upward;
   const double r = noise * noise;
+  const double s = h.dot(state_.P * h) + r;
+  const double nis = innovation.squaredNorm() / s;
+  log_likelihood_ = -std::log(s) - 0.5 * (kStudent + 2.0) * std::log1p(nis / kStudent);
 
+  // An acceleration that turns the reading by this much and leaves its length alone all the time does not exist: what
+  // the filter believed was wrong.
+  if (acceleration_sd <= 0.0 && innovation.norm() > kLostAngle * length) {
+    start(sample, acceleration_sd, noise);
+    return;
+  }
   // A turn that no limb can do in one cycle is an acceleration that |f| has not shown yet.
-  const Eigen::Matrix<double, 2, kStates> H2 = H.topRows<2>();
-  const Eigen::Matrix2d S2 = H2 * state_.P * H2.transpose() + r * Eigen::Matrix2d::Identity();
-  const double nis = innovation.head<2>().dot(S2.ldlt().solve(innovation.head<2>()));
   const bool jump = nis > kGate;
   if (jump) {
-    const double burst = innovation.head<2>().squaredNorm() / kGate;
-    state_.P.diagonal().segment<3>(kAcceleration).array() += burst;
+    state_.P(kAcceleration, kAcceleration) += innovation.squaredNorm() / kGate;
     record_.predicted.P = state_.P;
   }
-  // Where nothing hints at acceleration there is none, and the limb's velocity has come to rest as far as we can tell.
-  const bool calm = acceleration_sd <= 0.0 && !jump;
-  const int rows = calm ? 6 : 3;
-  Eigen::Matrix<double, 6, 1> z;
-  z << innovation, -state_.a;
-  const Eigen::MatrixXd Hn = H.topRows(rows);
-  Eigen::MatrixXd R = Eigen::MatrixXd::Zero(rows, rows);
-  R.diagonal().head(3).setConstant(r);
-  if (calm) {
-    R.diagonal().tail(3).setConstant(kLeastAcceleration * kLeastAcceleration);
+  measure(state_, h, r, innovation);
+  // Where nothing hints at acceleration there is none.
+  if (acceleration_sd <= 0.0 && !jump) {
+    Column none = Column::Zero();
+    none[kAcceleration] = 1.0;
+    measure(state_, none, kLeastAcceleration * kLeastAcceleration, -state_.x.row(kAcceleration));
   }
-  const Eigen::MatrixXd PHt = state_.P * Hn.transpose();
-  const Eigen::MatrixXd S = Hn * PHt + R;
-  const Eigen::MatrixXd K = S.ldlt().solve(PHt.transpose()).transpose();
-  const Vector dx = K * z.head(rows);
-  correct(state_, dx);
-  const Matrix A = Matrix::Identity() - K * Hn;
-  state_.P = A * state_.P * A.transpose() + K * R * K.transpose();
-  symmetrise(state_.P);
 }
 
-void InclinationFilter::step(const ForceSample& sample, double acceleration_sd, double noise) {
-  const double dt = sample.time_s - time_s_;
+void InclinationFilter::step(const ForceSample& sample, const AccelerationStep& step, double acceleration_sd,
+                             double noise) {
+  log_likelihood_ = 0.0;
   const bool usable = sample.usable && sample.f_L.allFinite() && sample.f_L.squaredNorm() > 1e-6;
-  if (!started_) {
+  if (!started_ || (usable && step.dt > kLongestGap)) {
     if (usable) {
       start(sample, acceleration_sd, noise);
     }
-    time_s_ = sample.time_s;
     return;
   }
-  record_.connected = dt <= kLongestGap;
-  if (!record_.connected && usable) {
-    start(sample, acceleration_sd, noise);
-    time_s_ = sample.time_s;
-    return;
-  }
-  predict(std::min(dt, kLongestGap), acceleration_sd);
-  time_s_ = sample.time_s;
+  record_.connected = step.dt <= kLongestGap;
+  predict(step, acceleration_sd);
   record_.predicted = state_;
   if (usable) {
     update(sample, acceleration_sd, noise);
   }
-  record_.updated = state_;
+  record_.updated = state_;  // after a new start its record is not connected and the same
 }
 
 std::vector<InclinationFilter::State> InclinationFilter::smooth(const std::vector<Record>& records) {
@@ -189,10 +246,9 @@ std::vector<InclinationFilter::State> InclinationFilter::smooth(const std::vecto
     const Record& next = records[k + 1];
     const State& ahead = states[k + 1];
     const Matrix C = next.predicted.P.ldlt().solve(next.F * records[k].updated.P).transpose();
-    Vector difference;
     const Vector3d turn = geometry::log_so3(ahead.R_NL * next.predicted.R_NL.conjugate());
-    difference << turn.x(), turn.y(), ahead.w - next.predicted.w, ahead.y - next.predicted.y,
-        ahead.a - next.predicted.a;
+    Axes difference = ahead.x - next.predicted.x;
+    difference.row(kTilt) << -turn.y(), turn.x();
     correct(state, C * difference);
     state.P += C * (ahead.P - next.predicted.P) * C.transpose();
     symmetrise(state.P);
@@ -201,7 +257,7 @@ std::vector<InclinationFilter::State> InclinationFilter::smooth(const std::vecto
 }
 
 double InclinationFilter::direction_sd(const State& state) {
-  return std::sqrt(std::max(0.0, 0.5 * (state.P(0, 0) + state.P(1, 1))));
+  return std::sqrt(std::max(0.0, state.P(kTilt, kTilt)));
 }
 
 }  // namespace limbwave::estimate

@@ -7,6 +7,8 @@
 #include "estimate/inclination.h"
 #include "estimate/inclination_filter.h"
 #include "estimate/inclination_tracker.h"
+#include "estimate/lever_bank.h"
+#include "geometry/so3.h"
 
 namespace limbwave::estimate {
 namespace {
@@ -24,16 +26,16 @@ double usable_trust(const ForceSample& sample, const InclinationParameters& para
 struct Surroundings {
   std::vector<double> acceleration_sd;
   std::vector<double> deviation;
-  double noise = 0.0;
+  std::vector<double> noise;
 };
 
 Surroundings surroundings_of(std::span<const ForceSample> samples, const InclinationParameters& parameters) {
   Surroundings surroundings;
-  surroundings.noise = noise_floor_of(samples, parameters.sensor_noise);
+  surroundings.noise = noise_around(samples, parameters.sensor_noise);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double deviation = deviation_around(samples, i, parameters.burst_s, parameters.burst_s);
     surroundings.deviation.push_back(deviation);
-    surroundings.acceleration_sd.push_back(acceleration_sd(deviation, parameters));
+    surroundings.acceleration_sd.push_back(acceleration_sd(deviation, surroundings.noise[i], parameters));
   }
   return surroundings;
 }
@@ -45,13 +47,13 @@ std::vector<Inclination> adaptive(std::span<const ForceSample> samples, const In
   AdaptiveFilter filter(parameters);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double dt = i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s;
-    forward.push_back(filter.step(samples[i], dt, around.acceleration_sd[i], around.noise));
+    forward.push_back(filter.step(samples[i], dt, around.acceleration_sd[i], around.noise[i]));
   }
   AdaptiveFilter backward(parameters);
   for (std::size_t i = samples.size(); i-- > 0;) {
     const double dt = i + 1 == samples.size() ? 0.0 : samples[i + 1].time_s - samples[i].time_s;
-    const AdaptiveFilter::Sum& later = backward.step(samples[i], dt, around.acceleration_sd[i], around.noise);
-    const AdaptiveFilter::Sum own = AdaptiveFilter::alone(samples[i], around.acceleration_sd[i], around.noise);
+    const AdaptiveFilter::Sum& later = backward.step(samples[i], dt, around.acceleration_sd[i], around.noise[i]);
+    const AdaptiveFilter::Sum own = AdaptiveFilter::alone(samples[i], around.acceleration_sd[i], around.noise[i]);
     const Vector3d direction = forward[i].direction + later.direction - own.direction;
     const double weight = forward[i].weight + later.weight - own.weight;
     result[i].time_s = samples[i].time_s;
@@ -79,24 +81,34 @@ Inclination inclination_of(const InclinationFilter::State& state, const ForceSam
   return inclination;
 }
 
-std::vector<Inclination> bridging(std::span<const ForceSample> samples, const InclinationParameters& parameters) {
-  const Surroundings around = surroundings_of(samples, parameters);
-  std::vector<Inclination> result(samples.size());
-  InclinationFilter filter(parameters);
+// One filter forward, then backward.
+struct Pass {
+  std::vector<Inclination> inclinations;
+  std::vector<double> log_likelihoods;
+};
+
+Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& around,
+                   std::span<const AccelerationStep> steps, double lever, const InclinationParameters& parameters) {
+  Pass pass;
+  pass.inclinations.resize(samples.size());
+  pass.log_likelihoods.resize(samples.size());
+  InclinationFilter filter(parameters, lever);
   std::vector<InclinationFilter::Record> records;
   std::size_t first = 0;  // sample of records[0]
   const auto give_out = [&](std::size_t count) {
     const std::vector<InclinationFilter::State> states = InclinationFilter::smooth(records);
     for (std::size_t k = 0; k < count; ++k) {
-      result[first + k] = inclination_of(states[k], samples[first + k], around.deviation[first + k], parameters);
+      pass.inclinations[first + k] =
+          inclination_of(states[k], samples[first + k], around.deviation[first + k], parameters);
     }
     records.erase(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(count));
     first += count;
   };
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    filter.step(samples[i], around.acceleration_sd[i], around.noise);
+    filter.step(samples[i], steps[i], around.acceleration_sd[i], around.noise[i]);
+    pass.log_likelihoods[i] = filter.log_likelihood();
     if (!filter.started()) {
-      result[i].time_s = samples[i].time_s;
+      pass.inclinations[i].time_s = samples[i].time_s;
       first = i + 1;
       continue;
     }
@@ -106,6 +118,65 @@ std::vector<Inclination> bridging(std::span<const ForceSample> samples, const In
     }
   }
   give_out(records.size());
+  return pass;
+}
+
+// The mean of the levers' directions, and the spread of it and of each.
+Inclination mixed(std::span<const Inclination> each, const Logs& weights) {
+  Inclination mean = each.front();
+  Vector3d direction = Vector3d::Zero();
+  for (std::size_t k = 0; k < each.size(); ++k) {
+    direction += weights[k] * each[k].up_L;
+  }
+  if (!mean.known || !(direction.norm() > 1e-6)) {
+    return mean;
+  }
+  mean.up_L = direction.normalized();
+  double variance = 0.0;
+  for (std::size_t k = 0; k < each.size(); ++k) {
+    const double away = geometry::angle_between(each[k].up_L, mean.up_L);
+    variance += weights[k] * (each[k].sd_rad * each[k].sd_rad + 0.5 * away * away);
+  }
+  mean.sd_rad = std::sqrt(variance);
+  return mean;
+}
+
+std::vector<Inclination> bridging(std::span<const ForceSample> samples, const InclinationParameters& parameters) {
+  const Surroundings around = surroundings_of(samples, parameters);
+  std::vector<Pass> passes;
+  std::vector<AccelerationStep> steps;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    steps.push_back(acceleration_step(i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s));
+  }
+  for (const double lever : kLevers) {
+    passes.push_back(bridging_pass(samples, around, steps, lever, parameters));
+  }
+  const auto logs_at = [&](std::size_t i) {
+    Logs logs{};
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+      logs[k] = passes[k].log_likelihoods[i];
+    }
+    return logs;
+  };
+  // Likelihoods of the seconds before and after every sample.
+  std::vector<Logs> evidence(samples.size());
+  Logs sum{};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    add_faded(sum, logs_at(i), i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s);
+    evidence[i] = sum;
+  }
+  sum = Logs{};
+  std::vector<Inclination> result(samples.size());
+  std::vector<Inclination> each(kLevers.size());
+  for (std::size_t i = samples.size(); i-- > 0;) {
+    // The sample's own likelihood is in the forward sum already.
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      each[k] = passes[k].inclinations[i];
+      evidence[i][k] += sum[k];
+    }
+    result[i] = mixed(each, weights_of(evidence[i]));
+    add_faded(sum, logs_at(i), i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s);
+  }
   return result;
 }
 
@@ -116,9 +187,9 @@ Inclination raw_inclination(const ForceSample& sample, const Inclination& last, 
   inclination.trust = usable_trust(sample, parameters);
   if (sample.usable && sample.f_L.norm() > 1e-3) {
     inclination.up_L = sample.f_L.normalized();
-    inclination.sd_rad =
-        (acceleration_sd(deviation, parameters) + std::hypot(std::min(deviation, parameters.free_deviation), noise)) /
-        kStandardGravity;
+    inclination.sd_rad = (acceleration_sd(deviation, noise, parameters) +
+                          std::hypot(std::min(deviation, parameters.free_deviation), noise)) /
+                         kStandardGravity;
     inclination.known = true;
   }
   return inclination;
@@ -148,7 +219,7 @@ std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samp
       const Surroundings around = surroundings_of(ordered, parameters);
       for (std::size_t i = 0; i < ordered.size(); ++i) {
         result.push_back(raw_inclination(ordered[i], result.empty() ? Inclination{} : result.back(),
-                                         around.deviation[i], around.noise, parameters));
+                                         around.deviation[i], around.noise[i], parameters));
       }
       break;
     }
@@ -176,15 +247,19 @@ struct InclinationTracker::Impl {
         parameters(parameters_),
         noise(parameters_.sensor_noise),
         recent(parameters_.burst_s),
-        adaptive_filter(parameters_),
-        bridging_filter(parameters_) {}
+        adaptive_filter(parameters_) {
+    for (const double lever : kLevers) {
+      bridging_filters.emplace_back(parameters_, lever);
+    }
+  }
 
   Smoothing smoothing;
   InclinationParameters parameters;
   NoiseFloor noise;
   RecentSamples recent;
   AdaptiveFilter adaptive_filter;
-  InclinationFilter bridging_filter;
+  std::vector<InclinationFilter> bridging_filters;
+  Logs evidence{};
   Inclination last;
   bool any = false;
 };
@@ -212,8 +287,8 @@ Inclination InclinationTracker::push(const ForceSample& given) {
   my.noise.push(sample);
   my.recent.push(sample);
   const double deviation = my.recent.deviation();
-  const double acceleration = acceleration_sd(deviation, my.parameters);
   const double noise = my.noise.noise();
+  const double acceleration = acceleration_sd(deviation, noise, my.parameters);
   switch (my.smoothing) {
     case Smoothing::kNone:
       my.last = raw_inclination(sample, my.last, deviation, noise, my.parameters);
@@ -229,13 +304,25 @@ Inclination InclinationTracker::push(const ForceSample& given) {
       }
       break;
     }
-    case Smoothing::kBridging:
-      my.bridging_filter.step(sample, acceleration, noise);
+    case Smoothing::kBridging: {
+      std::vector<Inclination> each;
+      Logs logs{};
+      const AccelerationStep step = acceleration_step(dt);
+      for (std::size_t k = 0; k < my.bridging_filters.size(); ++k) {
+        InclinationFilter& filter = my.bridging_filters[k];
+        filter.step(sample, step, acceleration, noise);
+        logs[k] = filter.log_likelihood();
+        if (filter.started()) {
+          each.push_back(inclination_of(filter.record().updated, sample, deviation, my.parameters));
+        }
+      }
+      add_faded(my.evidence, logs, dt);
       my.last.time_s = sample.time_s;
-      if (my.bridging_filter.started()) {
-        my.last = inclination_of(my.bridging_filter.record().updated, sample, deviation, my.parameters);
+      if (!each.empty()) {
+        my.last = mixed(each, weights_of(my.evidence));
       }
       break;
+    }
   }
   return my.last;
 }

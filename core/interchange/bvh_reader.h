@@ -16,6 +16,7 @@ inline constexpr double kMetresPerCentimetre = 0.01;
 /// The length unit of CMU's optical recordings in BVH: an inch divided by 0.45.
 inline constexpr double kMetresPerCmuUnit = 0.0564444;
 
+/// kY: Y up, figures face +Z; turned to z up, facing +x. kZ: taken as it is.
 enum class UpAxis { kY, kZ };
 
 /// How a joint's frame L lies in the skeleton that is read.

@@ -1,4 +1,5 @@
-/// Biovision hierarchy (BVH) files: text, Y up, Euler angles in degrees at a constant frame rate.
+/// Biovision hierarchy (BVH) files: text, Y up and facing +Z (file_axes.h), Euler angles in degrees at a constant frame
+/// rate.
 #pragma once
 
 #include <filesystem>

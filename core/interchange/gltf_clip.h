@@ -12,7 +12,8 @@
 namespace limbwave::interchange {
 
 /// The clip as a .glb: one node per segment with its rest pose and name, in the order of the segments; one animation
-/// with a rotation channel per moving segment and a translation channel for the root; Y up, metres, seconds.
+/// with a rotation channel per moving segment and a translation channel for the root; metres, seconds, Y up, facing +Z
+/// (file_axes.h), so that the nodes' own Z runs along the bone.
 ///
 /// glTF holds keys as 32-bit floats. So that a solve comes back exactly as it was, the scene's extras ("limbwave") hold
 /// the skeleton (lengths, joints, limits), the frame rate, and where in the binary chunk, behind everything glTF refers

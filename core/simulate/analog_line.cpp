@@ -120,7 +120,7 @@ void AnalogLine::integrate(double duration, bool whole_period, Pair& sum) {
     sum.right += high_pass(right_mean_, right / duration, duration, decay);
   } else {
     // A DC-coupled card whose zero lies in the middle of the supply.
-    sum.left += left - 0.5 * board_.supply_volts * duration;
+    sum.left += left - board_.zero_g_volts * duration;
     sum.right += right - 0.5 * board_.supply_volts * duration;
   }
 }

@@ -104,7 +104,7 @@ Vector3d right_at_rest(const std::vector<body::SegmentPose>& rest, const body::S
     }
   }
   const Vector3d level(arm.x(), arm.y(), 0.0);
-  return level.norm() > 0.1 ? Vector3d(level.normalized()) : Vector3d(-Vector3d::UnitX());
+  return level.norm() > 0.1 ? Vector3d(level.normalized()) : Vector3d(-Vector3d::UnitY());
 }
 
 std::vector<Link> link_segments(const body::Skeleton& skeleton, const body::Skeleton& file) {

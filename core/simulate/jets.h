@@ -124,7 +124,8 @@ inline QuaternionJet blend(const QuaternionJet& a, const QuaternionJet& b, const
   return normalized(q);
 }
 
-/// The smooth step of degree 7: 0 at x <= 0, 1 at x >= 1, with three derivatives that vanish at both ends (C³).
+/// The smooth step of degree 9: 0 at x <= 0, 1 at x >= 1, with four derivatives that vanish at both ends (C⁴). Limbs do
+/// not start more abruptly: at a lower degree the acceleration has corners that a 60 Hz multiplexer cannot follow.
 inline Jet smooth_step(double x) {
   if (x <= 0.0) {
     return {0.0, 0.0, 0.0};
@@ -134,8 +135,9 @@ inline Jet smooth_step(double x) {
   }
   const double x2 = x * x;
   const double y = 1.0 - x;
-  return {x2 * x2 * (35.0 + x * (-84.0 + x * (70.0 - 20.0 * x))), 140.0 * x2 * x * y * y * y,
-          420.0 * x2 * y * y * (1.0 - 2.0 * x)};
+  const double xy3 = x2 * x * y * y * y;
+  return {x2 * x2 * x * (126.0 + x * (-420.0 + x * (540.0 + x * (-315.0 + 70.0 * x)))), 630.0 * xy3 * x * y,
+          2520.0 * xy3 * (1.0 - 2.0 * x)};
 }
 
 /// The smooth step from `start` to `start + duration`, by time.

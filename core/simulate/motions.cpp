@@ -105,7 +105,7 @@ std::size_t SequenceMotion::part_before(double time_s) const {
 QuaternionJet SequenceMotion::rotation(int segment, double time_s) const {
   const std::size_t i = part_before(time_s);
   const Part& a = parts_[i];
-  const QuaternionJet qa = a.motion->rotation(segment, time_s - a.start);
+  QuaternionJet qa = a.motion->rotation(segment, time_s - a.start);
   if (time_s <= a.end || i + 1 == parts_.size()) {
     return qa;
   }
@@ -116,7 +116,7 @@ QuaternionJet SequenceMotion::rotation(int segment, double time_s) const {
 VectorJet SequenceMotion::root_position(double time_s) const {
   const std::size_t i = part_before(time_s);
   const Part& a = parts_[i];
-  const VectorJet pa = a.motion->root_position(time_s - a.start);
+  VectorJet pa = a.motion->root_position(time_s - a.start);
   if (time_s <= a.end || i + 1 == parts_.size()) {
     return pa;
   }

@@ -223,7 +223,8 @@ RecordedForces::RecordedForces(std::vector<ForceLog> logs, int sensors) : logs_(
   }
   for (int s = 0; s < sensors; ++s) {
     const ForceLog& log = logs_[static_cast<std::size_t>(s % count)];
-    starts_.push_back(log.duration() * (s / count) / shares);
+    const int share = s / count;
+    starts_.push_back(log.duration() * share / shares);
   }
 }
 

@@ -61,7 +61,7 @@ Status simulate_take(const std::filesystem::path& folder, const SimulateSettings
     const std::int64_t count = std::min(kBlockFrames, frames - simulation.stream->position());
     const std::span<std::byte> part(block.data(), static_cast<std::size_t>(count) * settings.format.bytes_per_frame());
     simulation.stream->read(part);
-    if (const Status written = out.write(part); !written) {
+    if (Status written = out.write(part); !written) {
       return written;
     }
     const std::vector<double> starts = simulation.stream->take_cycle_starts();
@@ -74,11 +74,11 @@ Status simulate_take(const std::filesystem::path& folder, const SimulateSettings
   for (const ScriptSegment& segment : simulation.wearer->segments()) {
     const std::int64_t first = std::min(frame(segment.start_s), frames);
     const std::int64_t end = std::min(frame(segment.end_s), frames);
-    if (const Status added = out.add_segment({segment.name, {first}, {end - first}}); !added) {
+    if (Status added = out.add_segment({segment.name, {first}, {end - first}}); !added) {
       return added;
     }
   }
-  if (const Status truth = write_truth(out.working_folder() / "truth.json", simulation, settings, frames, cycle_starts,
+  if (Status truth = write_truth(out.working_folder() / "truth.json", simulation, settings, frames, cycle_starts,
                                        progress.part(0.6, 1.0));
       !truth) {
     return truth;

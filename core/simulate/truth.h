@@ -15,7 +15,7 @@ inline constexpr double kTruthRateHz = 240.0;
 
 /// Writes the file. `frames` is the length of the take, `cycle_starts` real times of the cycles' starts. Fails when the
 /// file cannot be written, or cancelled.
-Status write_truth(const std::filesystem::path& file, const Simulation& simulation, const SimulateSettings& settings,
+Status write_truth(const std::filesystem::path& path, const Simulation& simulation, const SimulateSettings& settings,
                    std::int64_t frames, const std::vector<double>& cycle_starts, const Progress& progress);
 
 }  // namespace limbwave::simulate

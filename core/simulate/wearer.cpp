@@ -197,7 +197,7 @@ Vector3d Wearer::specific_force(int sensor, double time_s) const {
     return R_WS.v.conjugate() * (range_jerk(t - range_start_) + Vector3d(0.0, 0.0, kStandardGravity));
   }
   if (recording_ && t > recording_start_ - kGap) {
-    const Vector3d felt = recording_->force(sensor, t - recording_start_);
+    Vector3d felt = recording_->force(sensor, t - recording_start_);
     if (t >= recording_start_) {
       return felt;
     }

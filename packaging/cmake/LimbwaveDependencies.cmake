@@ -9,6 +9,9 @@ find_package(ZLIB REQUIRED)
 find_package(TinyGLTF REQUIRED)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
 pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
+# Only to ask devices what they offer and to keep the two libraries from writing to the terminal.
+pkg_check_modules(ALSA REQUIRED IMPORTED_TARGET alsa)
+pkg_check_modules(JACK REQUIRED IMPORTED_TARGET jack)
 
 # Third-party headers are system headers: their warnings are not ours.
 foreach(target Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)

@@ -4,33 +4,14 @@
 #include <numbers>
 
 #include "decode/line_in.h"
+#include "support/decode_signal.h"
 #include "support/line_in_signal.h"
 
 namespace limbwave::decode {
 namespace {
 
+using test::Decoded;
 using test::LineInSignalSpec;
-
-struct Decoded {
-  std::vector<LineInCycle> cycles;
-  Diagnostics findings;
-  LineInStatus status;
-};
-
-Decoded decode(const std::vector<float>& interleaved, double rate, const LineInParameters& parameters = {}) {
-  LineInDecoder decoder(LineInFormat{}, SampleRate{rate}, parameters);
-  decoder.push(interleaved);
-  decoder.finish();
-  return {decoder.take_cycles(), decoder.take_diagnostics(), decoder.status()};
-}
-
-std::string texts(const Diagnostics& findings) {
-  std::string all;
-  for (const Diagnostic& finding : findings) {
-    all += finding.code + ": " + finding.text() + "\n";
-  }
-  return all;
-}
 
 class EveryRate : public testing::TestWithParam<double> {};
 
@@ -40,8 +21,8 @@ TEST_P(EveryRate, GivesStillVoltagesBack) {
   for (const double coupling : {0.0, 1.0, 5.0, 20.0}) {
     spec.coupling_hz = coupling;
     const auto signal = test::make_line_in_signal(spec);
-    const Decoded decoded = decode(signal.interleaved, spec.rate);
-    EXPECT_TRUE(decoded.findings.empty()) << texts(decoded.findings);
+    const Decoded decoded = test::decode_signal(signal.interleaved, spec.rate);
+    EXPECT_TRUE(decoded.findings.empty()) << decoded.texts();
     ASSERT_EQ(decoded.cycles.size() + 1, signal.cycle_starts.size());
     double worst = 0.0;
     double worst_start = 0.0;

@@ -53,6 +53,10 @@ inline WireErrors wire_errors(const take::Take& take, const solve::DecodedTake& 
       const Eigen::Vector3d measured = nominal.sensors[s].apply(frame.volts[s]);
       const Eigen::Vector3d real = truth.force(s, frame.time_s);
       errors.acceleration_g.add((measured - real).cwiseAbs().maxCoeff() / kStandardGravity);
+      // Near free fall there is no direction of gravity to be wrong about.
+      if (real.norm() < 0.5 * kStandardGravity) {
+        continue;
+      }
       errors.inclination_deg.add(degrees(geometry::angle_between(measured, real)));
     }
   }

@@ -15,16 +15,16 @@ using testing_support::require;
 using testing_support::simulated;
 using testing_support::TemporaryFolder;
 
-struct Run {
+struct Outcome {
   std::vector<decode::AccelerationFrame> frames;
   std::vector<body::SegmentPose> poses;  // all segments of all frames in a row
 };
 
-Run run(const take::Take& take, std::size_t block_frames) {
+Outcome run(const take::Take& take, std::size_t block_frames) {
   take::TakeReader reader = require(take::TakeReader::open(take));
   solve::FrontEnd front(take.info.rig, take.info.format.rate, {});
   solve::LivePose pose(take.info.rig, take.info.skeleton, calibrate::nominal_calibration(take.info.rig), {});
-  Run result;
+  Outcome result;
   const auto collect = [&] {
     for (const decode::AccelerationFrame& frame : front.take_frames()) {
       pose.push(frame);
@@ -52,10 +52,10 @@ TEST(LiveEqualsOffline, BitForBitAtEveryBlockSize) {
   settings.errors.drop_frames = 1234;
   settings.prologue = false;
   const take::Take take = simulated(folder / "box.take", settings);
-  const Run whole = run(take, 1U << 20);
+  const Outcome whole = run(take, 1U << 20);
   ASSERT_GT(whole.frames.size(), 300U);
   for (const std::size_t block : {1U, 17U, 480U, 4096U}) {
-    const Run blocks = run(take, block);
+    const Outcome blocks = run(take, block);
     ASSERT_EQ(blocks.frames.size(), whole.frames.size()) << block;
     for (std::size_t i = 0; i < whole.frames.size(); ++i) {
       ASSERT_EQ(blocks.frames[i].time_s, whole.frames[i].time_s) << "block " << block << " frame " << i;

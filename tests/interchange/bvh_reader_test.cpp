@@ -60,9 +60,10 @@ TEST(BvhReader, ReadsAxesUnitsAndLengths) {
   EXPECT_DOUBLE_EQ(clip.duration(), 0.04);
   EXPECT_DOUBLE_EQ(clip.skeleton.segments[0].length, 0.3);
   EXPECT_DOUBLE_EQ(clip.skeleton.segments[1].length, 0.25);
-  // Turned by +90° about the file's Z the upward forearm points to −X; about X it points to Z, which is −y in W.
-  EXPECT_LT((hand(clip, 0.0) - Eigen::Vector3d(-0.25, 0, 1.3)).norm(), 1e-12);
-  EXPECT_LT((hand(clip, 0.04) - Eigen::Vector3d(0, -0.25, 1.3)).norm(), 1e-12);
+  // Turned by +90° about the file's Z the upward forearm points to −X, which is −y in W; about X it
+  // points to Z, which is x in W.
+  EXPECT_LT((hand(clip, 0.0) - Eigen::Vector3d(0, -0.25, 1.3)).norm(), 1e-12);
+  EXPECT_LT((hand(clip, 0.04) - Eigen::Vector3d(0.25, 0, 1.3)).norm(), 1e-12);
 }
 
 TEST(BvhReader, KeepsFileAxesOnRequest) {
@@ -71,7 +72,7 @@ TEST(BvhReader, KeepsFileAxesOnRequest) {
   const motion::Clip clip = must_read(kArm, options);
   EXPECT_LT((clip.skeleton.segments[1].p_PL - Eigen::Vector3d(0, 0, 0.3)).norm(), 1e-15);
   EXPECT_LT(geometry::geodesic_angle(clip.skeleton.segments[1].R_PL_rest, Eigen::Quaterniond::Identity()), 1e-15);
-  const Eigen::Quaterniond expected(Eigen::AngleAxisd(kPi / 2, -Eigen::Vector3d::UnitY()));
+  const Eigen::Quaterniond expected(Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitX()));
   EXPECT_LT(geometry::geodesic_angle(clip.joints[1].rotation.values[0], expected), 1e-12);
   options.up = UpAxis::kZ;
   EXPECT_LT((must_read(kArm, options).skeleton.segments[1].p_PL - Eigen::Vector3d(0, 0.3, 0)).norm(), 1e-15);
@@ -107,14 +108,14 @@ TEST(BvhReader, AnyOrderOfChannels) {
       must_read(replaced(replaced(kArm, "Xposition Yposition Zposition Zrotation Xrotation Yrotation",
                                   "Yrotation Zposition Zrotation Yposition Xrotation Xposition"),
                          "0 100 0 0 0 0 90 0 0", "0 0 0 100 0 0 90 0 0"));
-  EXPECT_LT((hand(clip) - Eigen::Vector3d(-0.25, 0, 1.3)).norm(), 1e-12);
+  EXPECT_LT((hand(clip) - Eigen::Vector3d(0, -0.25, 1.3)).norm(), 1e-12);
   // Listed order is the order of multiplication: first about X, then about the turned Z.
   const motion::Clip xz = must_read(replaced(replaced(kArm, "3 Zrotation Xrotation Yrotation", "2 Xrotation Zrotation"),
                                              "90 0 0\n0 100 0 0 0 0 0 90 0", "90 90\n0 100 0 0 0 0 0 0"));
-  EXPECT_LT((hand(xz) - Eigen::Vector3d(-0.25, 0, 1.3)).norm(), 1e-12);
+  EXPECT_LT((hand(xz) - Eigen::Vector3d(0, -0.25, 1.3)).norm(), 1e-12);
   const motion::Clip zx = must_read(replaced(replaced(kArm, "3 Zrotation Xrotation Yrotation", "2 Zrotation Xrotation"),
                                              "90 0 0\n0 100 0 0 0 0 0 90 0", "90 90\n0 100 0 0 0 0 0 0"));
-  EXPECT_LT((hand(zx) - Eigen::Vector3d(0, -0.25, 1.3)).norm(), 1e-12);
+  EXPECT_LT((hand(zx) - Eigen::Vector3d(0.25, 0, 1.3)).norm(), 1e-12);
 }
 
 std::string with_positions(const std::string& first, const std::string& second) {
@@ -165,7 +166,7 @@ TEST(BvhReader, SkipsFrames) {
   options.skip_frames = 1;
   const motion::Clip clip = must_read(kArm, options);
   EXPECT_EQ(clip.root_position.times, std::vector<double>{0.0});
-  EXPECT_LT((hand(clip) - Eigen::Vector3d(0, -0.25, 1.3)).norm(), 1e-12);
+  EXPECT_LT((hand(clip) - Eigen::Vector3d(0.25, 0, 1.3)).norm(), 1e-12);
   options.skip_frames = 5;
   EXPECT_TRUE(must_read(kArm, options).root_position.empty());
 }

@@ -1,7 +1,8 @@
-"""Blender must put every joint of our BVH files where we say it is, at every key.
+"""Blender must put every joint and bone end of our BVH files where we say it is, at every key.
 
 Usage: blender -b --factory-startup --python-exit-code 1 --python check_bvh.py -- FOLDER
-Every FILE.bvh has a FILE.json with fps, metres_per_unit, joints and heads[frame][joint] (z up, metres).
+Every FILE.bvh has a FILE.json with fps, metres_per_unit, joints and heads[frame][joint] (Blender's
+world, metres), and the same for the ends of the last bones: ends and tails[frame][end].
 """
 import builtins
 import json
@@ -35,12 +36,15 @@ def largest_error(path, rotate_mode):
     last = armature.animation_data.action.frame_range[1]
     assert last == frames, f"{path.name}: the last key is in frame {last} instead of {frames}"
     worst = 0.0
-    for frame, heads in enumerate(expected["heads"]):
+    assert expected["ends"], f"{path.name}: no last bones to check"
+    for frame, (heads, tails) in enumerate(zip(expected["heads"], expected["tails"])):
         scene.frame_set(frame + 1)
         evaluated = armature.evaluated_get(bpy.context.evaluated_depsgraph_get())
-        for name, head in zip(expected["joints"], heads):
-            found = evaluated.matrix_world @ evaluated.pose.bones[name].head
-            worst = max(worst, float(numpy.linalg.norm(numpy.array(found) - numpy.array(head))))
+        bones = evaluated.pose.bones
+        pairs = [(bones[name].head, p) for name, p in zip(expected["joints"], heads)]
+        pairs += [(bones[name].tail, p) for name, p in zip(expected["ends"], tails)]
+        for found, p in pairs:
+            worst = max(worst, float(numpy.linalg.norm(numpy.array(evaluated.matrix_world @ found) - numpy.array(p))))
     return worst
 
 

@@ -24,23 +24,40 @@ void must(const Status& status) {
   }
 }
 
-// World positions (z up, metres) of all joints at every frame of `fps`.
+// Positions (metres, in Blender's world: z up, figures face −y) of all joints at every frame of `fps`, and of the ends
+// of the last bones.
 void write_expected(const Clip& clip, const fs::path& bvh, double fps, double metres_per_unit) {
-  nlohmann::json heads = nlohmann::json::array();
+  using nlohmann::json;
+  const auto& segments = clip.skeleton.segments;
+  std::vector<bool> leaf(segments.size(), true);
+  for (const auto& segment : segments) {
+    if (segment.parent >= 0) {
+      leaf[static_cast<std::size_t>(segment.parent)] = false;
+    }
+  }
+  json expected = {{"fps", fps}, {"metres_per_unit", metres_per_unit}};
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    expected["joints"].push_back(segments[i].name);
+    leaf[i] = leaf[i] && segments[i].length > 1e-3;
+    if (leaf[i]) {
+      expected["ends"].push_back(segments[i].name);
+    }
+  }
+  const auto to_json = [](const Eigen::Vector3d& p) { return json{p.y(), -p.x(), p.z()}; };
   const std::size_t frames = limbwave::motion::frame_count(clip.duration(), fps);
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    nlohmann::json positions = nlohmann::json::array();
-    for (const auto& pose : limbwave::motion::pose_at(clip, static_cast<double>(frame) / fps)) {
-      positions.push_back({pose.p_WL.x(), pose.p_WL.y(), pose.p_WL.z()});
+    json heads;
+    json tails;
+    const auto poses = limbwave::motion::pose_at(clip, static_cast<double>(frame) / fps);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      heads.push_back(to_json(poses[i].p_WL));
+      if (leaf[i]) {
+        tails.push_back(to_json(poses[i].p_WL + poses[i].R_WL * Eigen::Vector3d(segments[i].length, 0.0, 0.0)));
+      }
     }
-    heads.push_back(std::move(positions));
+    expected["heads"].push_back(std::move(heads));
+    expected["tails"].push_back(std::move(tails));
   }
-  nlohmann::json joints = nlohmann::json::array();
-  for (const auto& segment : clip.skeleton.segments) {
-    joints.push_back(segment.name);
-  }
-  const nlohmann::json expected = {
-      {"fps", fps}, {"metres_per_unit", metres_per_unit}, {"joints", joints}, {"heads", heads}};
   must(limbwave::write_file(fs::path(bvh).replace_extension(".json"), expected.dump()));
 }
 

@@ -58,6 +58,7 @@ TEST(SampledCurve, GoesThroughSmoothSamplesExactly) {
   const double rate = 120.0;
   const auto f = [](double t) { return std::sin(2 * kPi * 2.0 * t) + 0.5 * std::cos(2 * kPi * 5.0 * t); };
   std::vector<double> samples;
+  samples.reserve(600);
   for (int i = 0; i < 600; ++i) {
     samples.push_back(f(i / rate));
   }
@@ -72,6 +73,7 @@ TEST(SampledCurve, GoesThroughSmoothSamplesExactly) {
 
 TEST(SampledCurve, DerivativesAreThoseOfTheValueAlsoBeyondTheEnds) {
   std::vector<double> samples;
+  samples.reserve(200);
   for (int i = 0; i < 200; ++i) {
     samples.push_back(std::sin(0.11 * i) + 0.01 * i);
   }
@@ -83,6 +85,7 @@ TEST(SampledCurve, DerivativesAreThoseOfTheValueAlsoBeyondTheEnds) {
 
 TEST(SampledCurve, TakesAwayNoiseAboveItsBand) {
   std::vector<double> samples;
+  samples.reserve(400);
   for (int i = 0; i < 400; ++i) {
     samples.push_back(i % 2 == 0 ? 1.0 : -1.0);  // 60 Hz at a rate of 120 Hz
   }

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/so3.h"
 #include "simulate/simulate.h"
 #include "take/take.h"
 
@@ -104,18 +105,20 @@ class SensorTruth {
     return value;
   }
 
-  /// True when no segment turns by more than 0.001° within 50 ms around a time: a pose is being held.
-  [[nodiscard]] bool holding(double time_s) const {
+  /// True when no segment turns by more than 0.001° within `reach_s` before and after a time: a pose is being held.
+  [[nodiscard]] bool holding(double time_s, double reach_s = 0.25) const {
     const auto sample = static_cast<std::ptrdiff_t>(time_s * rate_hz_);
-    const auto reach = static_cast<std::ptrdiff_t>(0.05 * rate_hz_);
+    const auto reach = static_cast<std::ptrdiff_t>(reach_s * rate_hz_);
     for (const std::vector<Eigen::Quaterniond>& q : rotations_) {
       if (sample < reach || sample + reach >= static_cast<std::ptrdiff_t>(q.size())) {
         return false;
       }
-      const double turn =
-          q[static_cast<std::size_t>(sample - reach)].angularDistance(q[static_cast<std::size_t>(sample + reach)]);
-      if (!(turn <= 2e-5)) {
-        return false;
+      for (const std::ptrdiff_t other : {sample - reach, sample - reach / 2, sample + reach / 2, sample + reach}) {
+        const double turn =
+            geometry::geodesic_angle(q[static_cast<std::size_t>(sample)], q[static_cast<std::size_t>(other)]);
+        if (!(turn <= 2e-5)) {
+          return false;
+        }
       }
     }
     return true;

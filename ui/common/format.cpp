@@ -65,6 +65,18 @@ QString format_level(double fraction) {
       .arg(db < 0 ? QStringLiteral("\u2212%1").arg(-db) : QString::number(db));
 }
 
+QString as_sentence(const QString& phrase) {
+  QString text = phrase.trimmed();
+  if (text.isEmpty()) {
+    return text;
+  }
+  text.replace(0, 1, text.left(1).toUpper());
+  if (!text.endsWith(QLatin1Char('.')) && !text.endsWith(QLatin1Char('!')) && !text.endsWith(QLatin1Char('?'))) {
+    text += QLatin1Char('.');
+  }
+  return text;
+}
+
 QString file_name_part(const QString& text) {
   QString result;
   for (const QChar c : text.normalized(QString::NormalizationForm_D).toLower()) {

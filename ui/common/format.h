@@ -17,6 +17,8 @@ QString format_left(double seconds);
 QString format_rate(double hz);
 /// Fraction of full scale as "−12 dB"; "silent" below −90 dB.
 QString format_level(double fraction);
+/// The core's phrases as sentences: first letter large, a full stop at the end. Empty stays empty.
+QString as_sentence(const QString& phrase);
 /// A file name made of letters, digits, dots, dashes and underscores: "Zoë B." becomes "zoe-b". Empty stays empty.
 QString file_name_part(const QString& text);
 /// The first free "SUBJECT-YYYYMMDD-N" in a folder, N from 1; without a subject "take-YYYYMMDD-N".

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "common/format.h"
+
 namespace limbwave::ui {
 
 double steady_now_s() {
@@ -29,12 +31,16 @@ void LiveModel::set_state(LiveState state) {
 }
 
 void LiveModel::fail(const Error& error) {
-  problem_ = QString::fromStdString(error.place.empty() ? error.message : error.place + ": " + error.message);
-  remedy_ = QString::fromStdString(error.remedy);
+  // The place is the device's id, which tells people nothing that the title does not, or a file.
+  const bool is_device = error.place == device_id_.toStdString();
+  problem_ = as_sentence(
+      QString::fromStdString(error.place.empty() || is_device ? error.message : error.place + ": " + error.message));
+  remedy_ = as_sentence(QString::fromStdString(error.remedy));
 }
 
-bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig, double rate_hz) {
-  if (recording_ || finishing_ || !services_.open_device || !services_.load_rig || !services_.make_live) {
+bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig,
+                     const QString& subject, double rate_hz) {
+  if (recording_ || starting_ || finishing_ || !services_.open_device || !services_.load_rig || !services_.make_live) {
     return false;
   }
   close();
@@ -42,7 +48,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   device_title_ = device_title;
   problem_.clear();
   remedy_.clear();
-  Result<solve::LiveSettings> settings = services_.load_rig(rig);
+  Result<solve::LiveSettings> settings = services_.load_rig(rig, subject.toStdString());
   if (!settings) {
     fail(settings.error());
     set_state(LiveState::kOff);
@@ -84,7 +90,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
 }
 
 void LiveModel::close() {
-  if (recording_ || finishing_) {
+  if (recording_ || starting_ || finishing_) {
     return;
   }
   ++opening_;
@@ -113,7 +119,7 @@ std::shared_ptr<const solve::LiveSnapshot> LiveModel::newest() const {
 }
 
 void LiveModel::poll() {
-  if (!backend_ || finishing_) {
+  if (!backend_) {
     return;
   }
   std::shared_ptr<const solve::LiveSnapshot> next = backend_->snapshot();
@@ -124,7 +130,7 @@ void LiveModel::poll() {
   const bool had_error = snapshot_ && !snapshot_->recording_error.empty();
   snapshot_ = std::move(next);
   if (recording_ && !had_error && !snapshot_->recording_error.empty()) {
-    Q_EMIT recording_failed(QString::fromStdString(snapshot_->recording_error), {});
+    Q_EMIT recording_failed(as_sentence(QString::fromStdString(snapshot_->recording_error)), {});
     stop_recording();
   }
   if (was_alive && !snapshot_->source_alive) {
@@ -133,33 +139,45 @@ void LiveModel::poll() {
     if (recording_) {
       stop_recording();
     }
+    Q_EMIT source_lost();
     Q_EMIT state_changed();
   }
   Q_EMIT snapshot_changed();
 }
 
 bool LiveModel::start_recording(const std::filesystem::path& folder, const QString& subject) {
-  if (!backend_ || recording_ || finishing_) {
+  if (!backend_ || recording_ || starting_ || finishing_) {
     return false;
   }
-  if (Status status = backend_->start_recording(folder, subject.toStdString()); !status) {
-    fail(status.error());
-    Q_EMIT recording_failed(problem_, remedy_);
-    return false;
-  }
-  recording_ = true;
-  Q_EMIT recording_changed();
+  starting_ = true;
+  jobs_.start(
+      tr("Making the take"), this,
+      [backend = backend_, folder, name = subject.toStdString()](const Progress&) {
+        return backend->start_recording(folder, name);
+      },
+      [this](const Status& status) {
+        starting_ = false;
+        if (!status) {
+          fail(status.error());
+          Q_EMIT recording_failed(problem_, remedy_);
+          return;
+        }
+        recording_ = true;
+        Q_EMIT recording_changed();
+      });
   return true;
 }
 
 void LiveModel::stop_recording() {
-  if (!recording_ || !backend_) {
-    return;
+  if (recording_ && backend_) {
+    end_recording();
   }
+}
+
+void LiveModel::end_recording() {
   recording_ = false;
   finishing_ = true;
   Q_EMIT recording_changed();
-  // The session's functions are called by one thread at a time: polling rests until the take is closed.
   jobs_.compute<take::Take>(
       tr("Closing the take"), this, [backend = backend_](const Progress&) { return backend->stop_recording(); },
       [this](Result<take::Take> result) {
@@ -183,14 +201,14 @@ void LiveModel::mark(const QString& text) {
 
 void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {
   settings_.calibration = calibration;
-  if (backend_ && !finishing_) {
+  if (backend_) {
     backend_->set_calibration(calibration);
   }
 }
 
 void LiveModel::set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) {
   settings_.solve.headings = headings;
-  if (backend_ && !finishing_) {
+  if (backend_) {
     backend_->set_headings(headings);
   }
 }

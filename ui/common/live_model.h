@@ -24,6 +24,8 @@ class LiveModel : public QObject {
   [[nodiscard]] LiveState state() const { return state_; }
   [[nodiscard]] bool running() const { return state_ == LiveState::kRunning; }
   [[nodiscard]] bool recording() const { return recording_; }
+  /// True between "Record" and the moment at which the take's folder is there.
+  [[nodiscard]] bool starting() const { return starting_; }
   /// True between "Stop" and the moment at which the take is complete on disk.
   [[nodiscard]] bool finishing() const { return finishing_; }
   /// The newest state as of now, without waiting for the next `snapshot_changed`; null while nothing runs. For faces
@@ -40,10 +42,12 @@ class LiveModel : public QObject {
   [[nodiscard]] const QString& remedy() const { return remedy_; }
 
   /// Closes what runs and opens this device; `rate_hz` 0 = the device's own. Refused while recording.
-  bool open(const QString& device_id, const QString& device_title, const std::string& rig, double rate_hz = 0.0);
+  bool open(const QString& device_id, const QString& device_title, const std::string& rig, const QString& subject,
+            double rate_hz = 0.0);
   /// Refused while recording.
   void close();
-  /// False with `problem()` set when the folder cannot be made or nothing runs.
+  /// Ends in `recording_changed`, or in `recording_failed` when the folder cannot be made. False when nothing runs or
+  /// it is recording already.
   bool start_recording(const std::filesystem::path& folder, const QString& subject);
   /// Ends in `recording_finished` or `recording_failed`.
   void stop_recording();
@@ -63,18 +67,20 @@ class LiveModel : public QObject {
   void snapshot_changed();
   void recording_changed();
   void marked(const QString& text);
+  void source_lost();  ///< The device is gone; `problem()` says so.
   void recording_finished(const limbwave::take::Take& take);
   void recording_failed(const QString& text, const QString& remedy);
 
  private:
   void poll();
+  void end_recording();
   void set_state(LiveState state);
   void fail(const Error& error);
 
   const StudioServices& services_;
   JobRunner& jobs_;
   LiveState state_ = LiveState::kOff;
-  bool recording_ = false, finishing_ = false;
+  bool recording_ = false, starting_ = false, finishing_ = false;
   QString device_id_, device_title_, problem_, remedy_;
   solve::LiveSettings settings_;
   std::shared_ptr<LiveBackend> backend_;

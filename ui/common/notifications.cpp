@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/progress.h"
+#include "common/format.h"
 
 namespace limbwave::ui {
 
@@ -26,7 +27,7 @@ void Notifications::post_error(const QString& what, const Error& error) {
   }
   QString text = what.isEmpty() ? QString() : what + QStringLiteral(": ");
   text += QString::fromStdString(error.place.empty() ? error.message : error.place + ": " + error.message);
-  post(Severity::kError, text, QString::fromStdString(error.remedy));
+  post(Severity::kError, as_sentence(text), as_sentence(QString::fromStdString(error.remedy)));
 }
 
 void Notifications::dismiss(int id) {

@@ -27,8 +27,10 @@ StudioContext::StudioContext(StudioServices services, const QString& settings_fo
   });
   connect(&live_, &LiveModel::recording_finished, this, [this](const take::Take& take) { document_.set(take); });
   connect(&live_, &LiveModel::recording_failed, this, [this](const QString& text, const QString& remedy) {
-    notifications_.post(Severity::kError, tr("Recording: %1").arg(text), remedy);
+    notifications_.post(Severity::kError, tr("The recording failed. %1").arg(text), remedy);
   });
+  connect(&live_, &LiveModel::source_lost, this,
+          [this] { notifications_.post(Severity::kError, live_.problem(), live_.remedy()); });
 }
 
 StudioContext::~StudioContext() {

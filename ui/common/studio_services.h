@@ -43,7 +43,7 @@ struct StudioServices {
   std::function<std::vector<std::string>()> demo_motions;  ///< Quick. Of the simulator, the most telling first.
   std::function<std::vector<std::string>()> list_rigs;     ///< Quick. Names.
   /// Quick. Rig, its skeleton, and the calibration of the library where there is one, else the nominal one.
-  std::function<Result<solve::LiveSettings>(const std::string& rig)> load_rig;
+  std::function<Result<solve::LiveSettings>(const std::string& rig, const std::string& subject)> load_rig;
   std::function<Result<take::Take>(const std::filesystem::path& folder)> open_take;
   std::function<Status(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,
                        const std::string& rig, const Progress&)>

@@ -45,6 +45,7 @@ QToolTip { background: %4; color: %6; border: 1px solid %5; padding: 4px 8px; }
 QMainWindow, QDialog { background: %1; }
 QMainWindow::separator { background: %5; width: 1px; height: 1px; }
 QMainWindow::separator:hover { background: %8; }
+QToolBar { border: none; padding: 0; margin: 0; spacing: 0; background: %2; }
 QDockWidget { color: %7; }
 QDockWidget::title { background: %1; padding: 8px 8px 4px 16px; text-align: left; }
 QFrame[card="true"] { background: %2; border: none; border-radius: 6px; }

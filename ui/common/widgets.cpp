@@ -80,9 +80,12 @@ EmptyState::EmptyState(const QString& icon_name, QWidget* parent)
   remedy_->setAlignment(Qt::AlignCenter);
   remedy_->setWordWrap(true);
   remedy_->setMaximumWidth(560);
-  remedy_->setMinimumWidth(320);
   remedy_->setProperty("role", "dim");
-  layout->addWidget(remedy_, 0, Qt::AlignHCenter);
+  auto* remedy_row = new QHBoxLayout;
+  remedy_row->addStretch(1);
+  remedy_row->addWidget(remedy_, 4);
+  remedy_row->addStretch(1);
+  layout->addLayout(remedy_row);
   buttons_ = new QHBoxLayout;
   buttons_->setSpacing(kGrid);
   buttons_->addStretch();

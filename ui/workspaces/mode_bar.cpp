@@ -35,7 +35,8 @@ ModeBar::ModeBar(const std::vector<WorkspaceEntry>& entries, QWidget* parent)
   setMovable(false);
   setFloatable(false);
   setContextMenuPolicy(Qt::PreventContextMenu);
-  setStyleSheet(QStringLiteral("QToolBar { border: none; padding: 0; spacing: 0; }"));
+  layout()->setContentsMargins(0, 0, 0, 0);
+  layout()->setSpacing(0);
   auto* column = new QWidget(this);
   column->setProperty("strip", true);
   column->setAttribute(Qt::WA_StyledBackground);

@@ -8,6 +8,11 @@
 namespace limbwave::ui {
 namespace {
 
+/// Red is for losing data: without a recording the same trouble is a warning.
+Tone trouble(const StatusInput& in) {
+  return in.recording ? Tone::kDanger : Tone::kWarning;
+}
+
 /// lupdate knows this as the context "StatusFacts".
 struct StatusFacts {
   Q_DECLARE_TR_FUNCTIONS(StatusFacts)
@@ -42,7 +47,7 @@ StatusFact StatusFacts::record(const StatusInput& in) {
       fact.text += QLatin1Char(' ') + tr("(losing samples)");
     }
   } else if (!in.problem.isEmpty()) {
-    fact.tone = Tone::kDanger;
+    fact.tone = trouble(in);
     fact.text = in.state == LiveState::kOff ? tr("no device") : tr("device lost");
     fact.detail = in.problem + QLatin1Char(' ') + in.remedy;
     fact.topic = QStringLiteral("devices");
@@ -57,7 +62,7 @@ StatusFact StatusFacts::disk(const StatusInput& in) {
     return fact;
   }
   const double left = in.snapshot->disk_left_s;
-  fact.tone = left < 300.0 ? Tone::kDanger : left < 3600.0 ? Tone::kWarning : Tone::kGood;
+  fact.tone = left < 300.0 ? trouble(in) : left < 3600.0 ? Tone::kWarning : Tone::kGood;
   fact.text = tr("disk %1").arg(format_left(left));
   fact.detail = left < 3600.0 ? tr("The disk is full after %1 of recording. Free some space or choose another folder.")
                                     .arg(format_left(left))
@@ -76,7 +81,7 @@ StatusFact StatusFacts::sensors(const StatusInput& in) {
   for (std::size_t i = 0; i < health.size(); ++i) {
     const solve::SensorHealth& sensor = health[i];
     working += sensor.state == solve::HealthState::kGood || sensor.state == solve::HealthState::kWarning ? 1U : 0U;
-    const Tone tone = sensor.state == solve::HealthState::kBad       ? Tone::kDanger
+    const Tone tone = sensor.state == solve::HealthState::kBad       ? trouble(in)
                       : sensor.state == solve::HealthState::kWarning ? Tone::kWarning
                       : sensor.state == solve::HealthState::kGood    ? Tone::kGood
                                                                      : Tone::kUnknown;
@@ -107,7 +112,7 @@ StatusFact StatusFacts::sync(const StatusInput& in) {
   }
   const decode::LineInStatus& line = in.snapshot->line;
   if (!in.snapshot->source_alive) {
-    fact.tone = Tone::kDanger;
+    fact.tone = trouble(in);
     fact.text = tr("no signal");
     fact.detail = tr("The device has stopped sending.");
   } else if (line.locked) {
@@ -117,7 +122,7 @@ StatusFact StatusFacts::sync(const StatusInput& in) {
                       ? tr("In step with the board; cycles lost since the start: %1.").arg(line.lost_cycles)
                       : tr("In step with the board; no cycle has been lost.");
   } else if (line.decided || line.cycles > 0) {
-    fact.tone = Tone::kDanger;
+    fact.tone = trouble(in);
     fact.text = tr("no sync");
     fact.detail = tr("The board's clock is not heard on the right channel. Look at the scope.");
   } else {

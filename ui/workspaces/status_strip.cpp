@@ -66,7 +66,7 @@ void StatusButton::paintEvent(QPaintEvent*) {
   }
   const QColor shape = fact_.tone == Tone::kDanger ? QColor(Qt::white) : tone_color(palette(), fact_.tone);
   const QString name = recording && fact_.tone == Tone::kGood ? QStringLiteral("record") : tone_icon(fact_.tone);
-  const QColor color = recording && fact_.tone == Tone::kGood ? theme.danger : shape;
+  const QColor color = recording && fact_.tone == Tone::kGood ? theme.accent : shape;
   painter.drawPixmap(QPointF(kGrid, (height() - 14) / 2.0), icon_pixmap(name, color, 14, devicePixelRatioF()));
   painter.setPen(fact_.tone == Tone::kDanger    ? QColor(Qt::white)
                  : fact_.tone == Tone::kUnknown ? theme.dim

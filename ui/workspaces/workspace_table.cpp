@@ -2,6 +2,7 @@
 #include <QCoreApplication>
 
 #include "workspaces/calibrate_workspace.h"
+#include "workspaces/capture/capture_workspace.h"
 #include "workspaces/solve/solve_entries.h"
 #include "workspaces/solve/solve_timeline.h"
 #include "workspaces/workspace.h"
@@ -17,6 +18,15 @@ struct Workspaces {
 
 StudioParts studio_parts() {
   StudioParts parts;
+  parts.workspaces.push_back({.id = QStringLiteral("capture"),
+                              .title = Workspaces::tr("Capture"),
+                              .hint = Workspaces::tr("Choose a device, check levels, record"),
+                              .icon = QStringLiteral("capture"),
+                              .timeline = false,
+                              .shortcuts = CaptureWorkspace::shortcuts(),
+                              .create = [](StudioContext& context, QWidget* parent) -> Workspace* {
+                                return new CaptureWorkspace(context, parent);
+                              }});
   parts.workspaces.push_back(calibrate_entry());
   parts.workspaces.push_back(solve_entry());
   parts.workspaces.push_back(export_entry());

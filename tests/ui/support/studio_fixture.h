@@ -20,6 +20,7 @@ struct StudioFixture {
     window = std::make_unique<MainWindow>(*context, std::move(parts));
     window->resize(1440, 900);
     window->show();
+    window->activateWindow();  // Xvfb has no window manager that would do it.
   }
   StudioFixture(const StudioFixture&) = delete;
   StudioFixture& operator=(const StudioFixture&) = delete;

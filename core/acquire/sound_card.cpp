@@ -1,0 +1,335 @@
+#include "acquire/sound_card.h"
+
+#include <fmt/format.h>
+#include <pa_linux_alsa.h>
+#include <portaudio.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <chrono>
+#include <mutex>
+
+#include "acquire/alsa_probe.h"
+#include "base/spsc_ring.h"
+
+namespace limbwave::acquire {
+namespace {
+
+// One period of the device: what a frame waits at most before the callback gets it.
+constexpr double kPeriodSeconds = 0.010;
+// Room in the device's buffer and in ours for when the machine is busy elsewhere. Neither adds latency.
+constexpr int kPeriods = 64;
+constexpr double kRingSeconds = 8.0;
+// A device that delivers nothing for so long is gone, whatever it says.
+constexpr double kSilenceSeconds = 3.0;
+
+const std::vector<double> kRates{44100.0, 48000.0, 88200.0, 96000.0, 176400.0, 192000.0};
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+PaSampleFormat pa_format(SampleType type) {
+  switch (type) {
+    case SampleType::kInt16:
+      return paInt16;
+    case SampleType::kInt24:
+      return paInt24;
+    case SampleType::kInt32:
+      return paInt32;
+    case SampleType::kFloat32:
+      return paFloat32;
+  }
+  return paInt16;
+}
+
+// PortAudio is started when a list or a stream needs it and ended with the last of them, so that devices that came or
+// went are seen the next time. It is not thread-safe: whoever calls it holds the lock.
+std::recursive_mutex& portaudio_lock() {
+  static std::recursive_mutex lock;
+  return lock;
+}
+
+class PortAudio {
+ public:
+  static Result<std::unique_ptr<PortAudio>> start() {
+    const std::lock_guard guard(portaudio_lock());
+    silence_sound_libraries();
+    const PaError error = Pa_Initialize();  // counts its users itself
+    if (error != paNoError) {
+      return Error{std::string("sound cannot be used (") + Pa_GetErrorText(error) + ")", "sound card",
+                   "check that sound works in other programs"};
+    }
+    silence_sound_libraries();  // PortAudio sets a handler of its own while it looks for JACK
+    return std::unique_ptr<PortAudio>(new PortAudio);
+  }
+  ~PortAudio() {
+    const std::lock_guard guard(portaudio_lock());
+    Pa_Terminate();
+  }
+  PortAudio(const PortAudio&) = delete;
+  PortAudio& operator=(const PortAudio&) = delete;
+
+ private:
+  PortAudio() = default;
+};
+
+bool is_alsa(const PaDeviceInfo& device) {
+  return Pa_GetHostApiInfo(device.hostApi)->type == paALSA;
+}
+
+std::string short_name(PaHostApiIndex api) {
+  const PaHostApiInfo& info = *Pa_GetHostApiInfo(api);
+  return info.type == paJACK ? "JACK" : info.name;
+}
+
+// Stable across starts, as far as the names of the devices are; equal names are numbered.
+std::string device_id(PaDeviceIndex index) {
+  const PaDeviceInfo& device = *Pa_GetDeviceInfo(index);
+  int same = 1;
+  for (PaDeviceIndex other = 0; other < index; ++other) {
+    const PaDeviceInfo& info = *Pa_GetDeviceInfo(other);
+    same += info.hostApi == device.hostApi && std::string_view(info.name) == device.name ? 1 : 0;
+  }
+  return fmt::format("portaudio:{}:{}{}", short_name(device.hostApi), device.name,
+                     same > 1 ? fmt::format("#{}", same) : "");
+}
+
+// PortAudio names cards "HDA Intel: ALC (hw:0,0)" and everything else as ALSA does.
+std::string alsa_name(const std::string& name) {
+  const std::size_t begin = name.rfind("(hw:");
+  const bool is_card = begin != std::string::npos && name.back() == ')';
+  return is_card ? name.substr(begin + 1, name.size() - begin - 2) : name;
+}
+
+PaStreamParameters parameters_for(PaDeviceIndex index, int channels, SampleType type) {
+  PaStreamParameters parameters{};
+  parameters.device = index;
+  parameters.channelCount = channels;
+  parameters.sampleFormat = pa_format(type);
+  parameters.suggestedLatency = kPeriodSeconds * kPeriods;
+  return parameters;
+}
+
+DeviceInfo describe(PaDeviceIndex index) {
+  const PaDeviceInfo& device = *Pa_GetDeviceInfo(index);
+  DeviceInfo info;
+  info.id = device_id(index);
+  info.title = fmt::format("{} ({})", device.name, short_name(device.hostApi));
+  info.channels = device.maxInputChannels;
+  info.default_rate_hz = device.defaultSampleRate;
+  info.is_default = index == Pa_GetDefaultInputDevice();
+  const AlsaOffer offer = is_alsa(device) ? probe_alsa(alsa_name(device.name), 2, kRates) : AlsaOffer{};
+  if (offer.answered) {
+    info.rates_hz = offer.rates_hz;
+    info.types = offer.types;
+    return info;
+  }
+  info.types = {SampleType::kFloat32};  // what JACK has, and what PortAudio can convert everything to
+  const PaStreamParameters parameters = parameters_for(index, 2, SampleType::kFloat32);
+  std::copy_if(kRates.begin(), kRates.end(), std::back_inserter(info.rates_hz),
+               [&](double rate) { return Pa_IsFormatSupported(&parameters, nullptr, rate) == paFormatIsSupported; });
+  return info;
+}
+
+// The device and what it offers; the caller holds the lock.
+Result<PaDeviceIndex> find_device(const std::string& id) {
+  if (id == "default") {
+    const PaDeviceIndex index = Pa_GetDefaultInputDevice();
+    return index != paNoDevice ? Result<PaDeviceIndex>(index)
+                               : Error{"there is no sound card to capture from", id, "connect one"};
+  }
+  for (PaDeviceIndex index = 0; index < Pa_GetDeviceCount(); ++index) {
+    if (device_id(index) == id) {
+      return index;
+    }
+  }
+  return Error{"there is no such device", id, "connect it, or choose one that `limbwave devices` lists"};
+}
+
+std::optional<Error> check_format(const DeviceInfo& device, const StreamFormat& wanted) {
+  if (wanted.channels < 1 || wanted.channels > device.channels) {
+    return Error{fmt::format("has {} channels, not {}", device.channels, wanted.channels), device.id,
+                 "choose another device"};
+  }
+  if (std::find(device.types.begin(), device.types.end(), wanted.type) == device.types.end()) {
+    std::string offered;
+    for (const SampleType type : device.types) {
+      offered += (offered.empty() ? "" : ", ") + std::string(name(type));
+    }
+    return Error{fmt::format("does not give {} samples", name(wanted.type)), device.id, "it offers " + offered};
+  }
+  return std::nullopt;
+}
+
+class SoundCard : public LiveSource {
+ public:
+  SoundCard(std::unique_ptr<PortAudio> portaudio, DeviceInfo device, StreamFormat format)
+      : portaudio_(std::move(portaudio)),
+        device_(std::move(device)),
+        format_(format),
+        ring_(static_cast<std::size_t>(kRingSeconds * format.rate.hz) * format.bytes_per_frame()) {}
+  ~SoundCard() override {
+    stop();
+    const std::lock_guard guard(portaudio_lock());
+    if (stream_ != nullptr) {
+      Pa_CloseStream(stream_);
+    }
+  }
+  SoundCard(const SoundCard&) = delete;
+  SoundCard& operator=(const SoundCard&) = delete;
+
+  Status open(PaDeviceIndex index);
+  Status start() override;
+  void stop() override;
+
+  [[nodiscard]] StreamFormat format() const override { return format_; }
+  [[nodiscard]] std::string title() const override { return device_.title; }
+  std::size_t pull(std::span<std::byte> out) override {
+    const std::size_t frame = format_.bytes_per_frame();
+    return ring_.read(out.first(out.size() / frame * frame));
+  }
+  [[nodiscard]] SourceCounters counters() const override {
+    return {overflows_.load(std::memory_order_relaxed), dropped_frames_.load(std::memory_order_relaxed)};
+  }
+  [[nodiscard]] bool alive() const override {
+    return !running_ || (!finished_.load(std::memory_order_acquire) &&
+                         now_s() - newest_s_.load(std::memory_order_relaxed) < kSilenceSeconds);
+  }
+  [[nodiscard]] double device_latency_s() const override { return latency_s_.load(std::memory_order_relaxed); }
+  [[nodiscard]] double newest_frame_time_s() const override {
+    return has_frames_.load(std::memory_order_acquire) ? newest_s_.load(std::memory_order_relaxed) : 0.0;
+  }
+
+ private:
+  static int callback(const void* input, void* output, unsigned long frames, const PaStreamCallbackTimeInfo* time,
+                      PaStreamCallbackFlags flags, void* self);
+  static void finished(void* self) { static_cast<SoundCard*>(self)->finished_.store(true, std::memory_order_release); }
+
+  std::unique_ptr<PortAudio> portaudio_;
+  DeviceInfo device_;
+  StreamFormat format_;
+  PaStream* stream_ = nullptr;
+  std::atomic<bool> running_{false};
+  SpscRing<std::byte> ring_;
+  // Written by the callback alone.
+  std::atomic<std::uint64_t> overflows_{0};
+  std::atomic<std::uint64_t> dropped_frames_{0};
+  std::atomic<double> newest_s_{0.0};
+  std::atomic<double> latency_s_{0.0};
+  std::atomic<bool> has_frames_{false};
+  std::atomic<bool> finished_{false};
+};
+
+// On the device's own thread: copies and counts, nothing else.
+int SoundCard::callback(const void* input, void* /*output*/, unsigned long frames, const PaStreamCallbackTimeInfo* time,
+                        PaStreamCallbackFlags flags, void* self_pointer) {
+  auto& self = *static_cast<SoundCard*>(self_pointer);
+  if ((flags & paInputOverflow) != 0) {
+    self.overflows_.fetch_add(1, std::memory_order_relaxed);
+  }
+  if (input == nullptr || frames == 0) {
+    return paContinue;
+  }
+  const std::span bytes(static_cast<const std::byte*>(input), frames * self.format_.bytes_per_frame());
+  if (!self.ring_.write(bytes)) {
+    self.overflows_.fetch_add(1, std::memory_order_relaxed);
+    self.dropped_frames_.fetch_add(frames, std::memory_order_relaxed);
+  }
+  const double delay = time->currentTime - time->inputBufferAdcTime;
+  if (delay > 0.0 && delay < 10.0) {
+    const double before = self.latency_s_.load(std::memory_order_relaxed);
+    self.latency_s_.store(before == 0.0 ? delay : before + 0.05 * (delay - before), std::memory_order_relaxed);
+  }
+  self.newest_s_.store(now_s(), std::memory_order_relaxed);
+  self.has_frames_.store(true, std::memory_order_release);
+  return paContinue;
+}
+
+Status SoundCard::open(PaDeviceIndex index) {
+  const PaStreamParameters parameters = parameters_for(index, format_.channels, format_.type);
+  PaAlsa_SetNumPeriods(kPeriods);
+  // Without dithering and clipping the samples arrive as they are.
+  const PaError error = Pa_OpenStream(&stream_, &parameters, nullptr, format_.rate.hz, paFramesPerBufferUnspecified,
+                                      paClipOff | paDitherOff, &SoundCard::callback, this);
+  if (error == paInvalidSampleRate) {
+    std::string offered;
+    for (const double rate : device_.rates_hz) {
+      offered += fmt::format("{}{:.0f}", offered.empty() ? "" : ", ", rate);
+    }
+    return Error{fmt::format("does not run at {:.0f} Hz", format_.rate.hz), device_.id,
+                 "it offers " + (offered.empty() ? "nothing just now" : offered)};
+  }
+  if (error != paNoError) {
+    return Error{fmt::format("cannot be opened ({})", Pa_GetErrorText(error)), device_.id,
+                 "check that no other program uses it"};
+  }
+  Pa_SetStreamFinishedCallback(stream_, &SoundCard::finished);
+  return {};
+}
+
+Status SoundCard::start() {
+  const std::lock_guard guard(portaudio_lock());
+  if (running_) {
+    return {};
+  }
+  finished_.store(false, std::memory_order_release);
+  newest_s_.store(now_s(), std::memory_order_relaxed);  // silence is counted from here
+  const PaError error = Pa_StartStream(stream_);
+  if (error != paNoError) {
+    return Error{fmt::format("does not start ({})", Pa_GetErrorText(error)), device_.id,
+                 "check that it is still connected and that no other program uses it"};
+  }
+  running_ = true;
+  return {};
+}
+
+void SoundCard::stop() {
+  const std::lock_guard guard(portaudio_lock());
+  if (running_) {
+    Pa_AbortStream(stream_);
+    running_ = false;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<DeviceInfo>> list_devices() {
+  const std::lock_guard guard(portaudio_lock());
+  const Result<std::unique_ptr<PortAudio>> portaudio = PortAudio::start();
+  if (!portaudio) {
+    return portaudio.error();
+  }
+  std::vector<DeviceInfo> devices;
+  for (PaDeviceIndex index = 0; index < Pa_GetDeviceCount(); ++index) {
+    if (Pa_GetDeviceInfo(index)->maxInputChannels >= 2) {
+      devices.push_back(describe(index));
+    }
+  }
+  std::stable_partition(devices.begin(), devices.end(), [](const DeviceInfo& device) { return device.is_default; });
+  return devices;
+}
+
+Result<std::unique_ptr<LiveSource>> open_sound_card(const std::string& id, const StreamFormat& wanted) {
+  const std::lock_guard guard(portaudio_lock());
+  Result<std::unique_ptr<PortAudio>> portaudio = PortAudio::start();
+  if (!portaudio) {
+    return portaudio.error();
+  }
+  const Result<PaDeviceIndex> index = find_device(id);
+  if (!index) {
+    return index.error();
+  }
+  DeviceInfo device = describe(*index);
+  if (std::optional<Error> error = check_format(device, wanted)) {
+    return *std::move(error);
+  }
+  auto card = std::make_unique<SoundCard>(*std::move(portaudio), std::move(device), wanted);
+  if (Status status = card->open(*index); !status) {
+    return status.error();
+  }
+  return std::unique_ptr<LiveSource>(std::move(card));
+}
+
+}  // namespace limbwave::acquire

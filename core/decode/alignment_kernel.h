@@ -1,0 +1,36 @@
+/// Weights that take one axis from its own instants to the common one of a cycle.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace limbwave::decode {
+
+/// Minimum-variance interpolation of a band-limited signal in white noise, from seven cycles before to two after. The
+/// signal's assumed spectrum is flat to kPassband (power kPassPower times the noise's) and weaker to kEdge; frequencies
+/// are per cycle. At 60 cycles a second: errors below 2e-5 of the amplitude to 5 Hz and 2 % at 10 Hz, half power
+/// about 15 Hz, and noise of variance 0.63 (a polynomial through six points: 0.93).
+class AlignmentKernel {
+ public:
+  static constexpr std::size_t kBefore = 7;
+  static constexpr std::size_t kAfter = 2;
+  static constexpr std::size_t kTaps = kBefore + 1 + kAfter;
+  using Values = std::array<double, kTaps>;
+
+  AlignmentKernel();
+  /// The value at instant 0 of a signal with `values` at `instants` (in cycles, increasing by about 1, the one of tap
+  /// kBefore within ±0.5 of 0). Instants need not be even: small deviations are corrected to first order.
+  [[nodiscard]] double at_zero(const Values& instants, const Values& values) const;
+
+ private:
+  static constexpr double kPassband = 5.5 / 60.0;
+  static constexpr double kPassPower = 1e8;
+  static constexpr double kEdge = 9.0 / 60.0;
+  static constexpr double kEdgePower = 1e4;
+  static constexpr int kSteps = 1024;  // of the offset, per cycle
+
+  std::vector<Values> weights_;  // by offset of tap kBefore from -0.5 to 0.5
+};
+
+}  // namespace limbwave::decode

@@ -1,0 +1,80 @@
+#include "common/time_model.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "common/job_runner.h"
+
+namespace limbwave::ui {
+namespace {
+
+TEST(TimeModel, PlayheadStaysWithinTheClip) {
+  TimeModel time;
+  time.set_extent(10.0, 0.01);
+  time.set_playhead(12.0);
+  EXPECT_EQ(time.playhead_s(), 10.0);
+  time.set_playhead(-1.0);
+  EXPECT_EQ(time.playhead_s(), 0.0);
+  time.set_playhead(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(time.playhead_s(), 0.0);
+}
+
+TEST(TimeModel, ZoomKeepsThePlaceUnderTheCursor) {
+  TimeModel time;
+  time.set_extent(100.0, 0.01);
+  time.set_visible(20.0, 40.0);
+  time.zoom(2.0, 25.0);
+  EXPECT_DOUBLE_EQ(time.visible_end_s() - time.visible_begin_s(), 10.0);
+  // 25 s was a quarter of the way from the left, and still is.
+  EXPECT_DOUBLE_EQ(25.0 - time.visible_begin_s(), 2.5);
+  time.zoom(1e9, 25.0);
+  EXPECT_NEAR(time.visible_end_s() - time.visible_begin_s(), 0.04, 1e-12);
+  time.zoom(1e-9, 25.0);
+  EXPECT_EQ(time.visible_begin_s(), 0.0);
+  EXPECT_EQ(time.visible_end_s(), 100.0);
+}
+
+TEST(TimeModel, StepsRestOnFrames) {
+  TimeModel time;
+  time.set_extent(1.0, 0.1);
+  time.set_playhead(0.34);
+  time.step(1);
+  EXPECT_NEAR(time.playhead_s(), 0.4, 1e-12);
+  time.step(-2);
+  EXPECT_NEAR(time.playhead_s(), 0.2, 1e-12);
+}
+
+TEST(TimeModel, PlaysLoopsAndStops) {
+  TimeModel time;
+  EXPECT_FALSE((time.set_playing(true), time.playing())) << "nothing to play";
+  time.set_extent(2.0, 0.1);
+  time.set_looping(true);
+  time.set_playhead(1.5);
+  // Without an event loop the timer does not run; time passes as the test says. Playing is a state of its own.
+  time.set_speed(2.0);
+  time.set_playing(true);
+  time.advance(0.5);
+  EXPECT_NEAR(time.playhead_s(), 0.5, 1e-12);
+  time.set_looping(false);
+  time.advance(10.0);
+  EXPECT_EQ(time.playhead_s(), 2.0);
+  EXPECT_FALSE(time.playing());
+  time.set_playing(true);
+  EXPECT_EQ(time.playhead_s(), 0.0) << "from the end it starts again";
+  time.set_speed(-1.0);
+  time.set_playhead(0.2);
+  time.advance(0.5);
+  EXPECT_EQ(time.playhead_s(), 0.0);
+  EXPECT_FALSE(time.playing());
+}
+
+TEST(JobRunner, TimeLeftIsNotGuessedTooEarly) {
+  EXPECT_LT(estimate_left_s(0.01, 10.0), 0.0);
+  EXPECT_LT(estimate_left_s(0.5, 0.1), 0.0);
+  EXPECT_DOUBLE_EQ(estimate_left_s(0.25, 3.0), 9.0);
+  EXPECT_DOUBLE_EQ(estimate_left_s(1.0, 3.0), 0.0);
+}
+
+}  // namespace
+}  // namespace limbwave::ui

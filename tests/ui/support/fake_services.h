@@ -1,0 +1,38 @@
+/// Services for tests without hardware and without signal processing: a made-up line whose every trouble is switchable,
+/// takes that are real folders on disk.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/studio_services.h"
+
+namespace limbwave::ui::testing {
+
+/// What the made-up line does; may be changed at any time by the test.
+struct FakeLine {
+  double level = 0.4;  ///< Peak of the left channel, fraction of full scale.
+  bool locked = true;
+  bool swapped = false;
+  bool alive = true;
+  int dead_sensor = -1;  ///< This one sends nothing.
+  int clipping_sensor = -1;
+  double disk_left_s = 23 * 3600.0;
+  std::uint64_t overflows = 0;
+  Diagnostics diagnostics;      ///< Findings of the decoder; their time is set to now.
+  bool fail_open = false;       ///< The device refuses to open.
+  bool fail_recording = false;  ///< The folder cannot be made.
+  bool no_devices = false;
+  std::vector<std::string> marks;  ///< What was marked.
+  int opened = 0;                  ///< How often a device was opened.
+};
+
+/// A rig of five sensors without files.
+solve::LiveSettings fake_rig();
+
+/// The services over `line`.
+StudioServices fake_services(const std::shared_ptr<FakeLine>& line);
+
+}  // namespace limbwave::ui::testing

@@ -1,0 +1,210 @@
+/// The Capture workspace with its real widgets over a made-up line.
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTest>
+
+#include "plots/scope_view.h"
+#include "plots/sensor_strips.h"
+#include "ui/support/fake_services.h"
+#include "ui/support/studio_fixture.h"
+#include "workspaces/capture/capture_workspace.h"
+#include "workspaces/status_strip.h"
+
+namespace limbwave::ui::testing {
+
+class CaptureTest : public QObject {
+  Q_OBJECT
+ private:
+  struct Capture {
+    explicit Capture(const std::shared_ptr<FakeLine>& the_line) : line(the_line), studio(fake_services(the_line)) {
+      studio.window->show_workspace(QStringLiteral("capture"));
+      workspace = dynamic_cast<CaptureWorkspace*>(studio.window->workspace(QStringLiteral("capture")));
+      workspace->model().set_today(QDate(2026, 11, 22));
+    }
+    template <typename T>
+    [[nodiscard]] T* find(const char* name) const {
+      return studio.window->findChild<T*>(QString::fromLatin1(name));
+    }
+    [[nodiscard]] LiveModel& live() const { return studio.context->live(); }
+    std::shared_ptr<FakeLine> line;
+    StudioFixture studio;
+    CaptureWorkspace* workspace = nullptr;
+  };
+
+  static bool wait_for_devices(Capture& capture) {
+    return QTest::qWaitFor([&] { return !capture.workspace->model().devices().empty(); });
+  }
+  static bool choose(Capture& capture, const char* id) {
+    if (!wait_for_devices(capture)) {
+      return false;
+    }
+    auto* box = capture.find<QComboBox>("device_box");
+    const int index = box->findData(QString::fromLatin1(id));
+    box->setCurrentIndex(index);
+    Q_EMIT box->activated(index);
+    return QTest::qWaitFor([&] { return capture.live().snapshot() != nullptr; });
+  }
+
+ private Q_SLOTS:
+  void records_a_take_with_markers_by_keys() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(QTest::qWaitForWindowActive(capture.studio.window.get()));
+    QVERIFY(choose(capture, "simulator:wave"));
+    auto* subject = capture.find<QLineEdit>("subject_edit");
+    subject->clear();
+    QTest::keyClicks(subject, QStringLiteral("Ann Rem"));
+    QVERIFY2(!capture.live().recording(), "letters typed into a field are no shortcuts");
+    QCOMPARE(capture.find<QLineEdit>("take_name_edit")->text(), QStringLiteral("ann-rem-20261122-1"));
+    capture.workspace->setFocus();
+    QTest::keyClick(capture.workspace, Qt::Key_R);
+    QTRY_VERIFY(capture.live().recording());
+    QVERIFY(capture.studio.window->windowTitle().contains(QStringLiteral("Recording")));
+    QTest::qWait(300);
+    QTest::keyClick(capture.workspace, Qt::Key_M);
+    QTest::mouseClick(capture.find<QPushButton>("marker_button"), Qt::LeftButton);
+    QCOMPARE(capture.line->marks.size(), std::size_t{2});
+    QCOMPARE(capture.find<QListWidget>("marker_list")->count(), 2);
+    QVERIFY(capture.find<QLabel>("record_time")->text() != QStringLiteral("0:00.0"));
+    QVERIFY2(capture.find<QLabel>("record_time")->font().pixelSize() >= 48, "readable from two metres");
+    QTest::keyClick(capture.workspace, Qt::Key_R);
+    QTRY_VERIFY(capture.studio.context->document().is_open());
+    QCOMPARE(capture.studio.context->document().name(), QStringLiteral("ann-rem-20261122-1"));
+    QVERIFY(capture.studio.window->windowTitle().startsWith(QStringLiteral("ann-rem-20261122-1")));
+    QCOMPARE(capture.find<QLineEdit>("take_name_edit")->text(), QStringLiteral("ann-rem-20261122-2"));
+    QCOMPARE(capture.studio.context->recent_takes().folders().size(), 1);
+  }
+
+  void markers_need_a_recording() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "simulator:wave"));
+    QVERIFY(!capture.find<QPushButton>("marker_button")->isEnabled());
+    QTest::keyClick(capture.workspace, Qt::Key_M);
+    QVERIFY(capture.line->marks.empty());
+  }
+
+  void a_name_that_is_taken_is_refused_where_it_is_typed() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "simulator:wave"));
+    QDir().mkpath(capture.studio.context->takes_folder() + QStringLiteral("/walk.take"));
+    auto* name = capture.find<QLineEdit>("take_name_edit");
+    name->clear();
+    QTest::keyClicks(name, QStringLiteral("walk"));
+    QVERIFY(!capture.find<QPushButton>("record_button")->isEnabled());
+    QVERIFY(capture.find<QLabel>("take_name_problem")->isVisible());
+    QTest::keyClicks(name, QStringLiteral("2"));
+    QVERIFY(capture.find<QPushButton>("record_button")->isEnabled());
+    QVERIFY(!capture.find<QLabel>("take_name_problem")->isVisible());
+  }
+
+  void no_device_says_so_and_offers_the_simulator() {
+    auto line = std::make_shared<FakeLine>();
+    line->no_devices = true;
+    Capture capture(line);
+    QVERIFY(wait_for_devices(capture));
+    auto* simulator = capture.find<QPushButton>("use_simulator");
+    QTRY_VERIFY(simulator->isVisible());
+    QTest::mouseClick(simulator, Qt::LeftButton);
+    QTRY_VERIFY(capture.live().running());
+    QTRY_VERIFY(capture.find<ScopeView>("scope")->isVisible());
+  }
+
+  void a_refused_device_gives_reason_and_remedy() {
+    auto line = std::make_shared<FakeLine>();
+    line->fail_open = true;
+    Capture capture(line);
+    QVERIFY(wait_for_devices(capture));
+    capture.workspace->model().open_device(QStringLiteral("portaudio:ALSA:card"));
+    QTRY_COMPARE(capture.live().problem(), QStringLiteral("The device is busy."));
+    QVERIFY(capture.live().remedy().startsWith(QStringLiteral("Close the program")));
+    QCOMPARE(capture.live().state(), LiveState::kOff);
+    QVERIFY(!capture.find<QPushButton>("record_button")->isEnabled());
+  }
+
+  void a_full_disk_is_told_and_nothing_records() {
+    auto line = std::make_shared<FakeLine>();
+    line->fail_recording = true;
+    Capture capture(line);
+    QVERIFY(choose(capture, "simulator:wave"));
+    QTest::mouseClick(capture.find<QPushButton>("record_button"), Qt::LeftButton);
+    QTRY_VERIFY(!capture.studio.context->notifications().all().empty());
+    QVERIFY(capture.studio.context->notifications().all().front().text.contains(QStringLiteral("no space left")));
+    QVERIFY(!capture.live().recording());
+  }
+
+  void unplugging_keeps_what_was_recorded() {
+    auto line = std::make_shared<FakeLine>();
+    Capture capture(line);
+    QVERIFY(choose(capture, "simulator:wave"));
+    QTest::mouseClick(capture.find<QPushButton>("record_button"), Qt::LeftButton);
+    QTRY_VERIFY(capture.live().recording());
+    line->alive = false;
+    QTRY_VERIFY(capture.studio.context->document().is_open());
+    QVERIFY(!capture.live().recording());
+    QVERIFY(!capture.live().problem().isEmpty());
+    QVERIFY(!capture.find<QPushButton>("record_button")->isEnabled());
+  }
+
+  void level_check_speaks() {
+    auto line = std::make_shared<FakeLine>();
+    line->level = 0.01;
+    Capture capture(line);
+    QVERIFY(choose(capture, "simulator:wave"));
+    QTRY_COMPARE(capture.find<QLabel>("level_advice")->text(), QStringLiteral("Too low"));
+    line->level = 0.4;
+    QTRY_COMPARE(capture.find<QLabel>("level_advice")->text(), QStringLiteral("Level is good"));
+  }
+
+  void a_click_on_a_fact_leads_to_the_cause() {
+    auto line = std::make_shared<FakeLine>();
+    line->dead_sensor = 3;
+    Capture capture(line);
+    QVERIFY(choose(capture, "simulator:wave"));
+    capture.studio.window->show_workspace(QStringLiteral("welcome"));
+    StatusButton* sensors = nullptr;
+    QTRY_VERIFY([&] {
+      for (auto* button : capture.studio.window->findChildren<StatusButton*>()) {
+        if (button->fact().topic == QStringLiteral("sensor:3")) {
+          sensors = button;
+        }
+      }
+      return sensors != nullptr;
+    }());
+    QTest::mouseClick(sensors, Qt::LeftButton);
+    QCOMPARE(capture.studio.window->current_workspace(), QStringLiteral("capture"));
+    QCOMPARE(capture.studio.context->selection().index_of(SelectionKind::kSensor), 3);
+  }
+
+  void the_last_device_opens_by_itself_next_time() {
+    auto line = std::make_shared<FakeLine>();
+    StudioFixture first(fake_services(line));
+    first.context->settings().setValue(QStringLiteral("capture/device"), QStringLiteral("simulator:wave"));
+    first.window->show_workspace(QStringLiteral("capture"));
+    QTRY_VERIFY(first.context->live().running());
+    QCOMPARE(line->opened, 1);
+  }
+
+  void every_control_has_a_name() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "simulator:wave"));
+    for (const QWidget* widget : capture.studio.window->findChildren<QWidget*>()) {
+      if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible() || widget->inherits("QScrollArea") ||
+          widget->inherits("QSplitter") || widget->inherits("QMainWindow") ||
+          widget->inherits("limbwave::ui::Workspace") || widget->objectName().startsWith(QStringLiteral("qt_"))) {
+        continue;
+      }
+      const auto* button = qobject_cast<const QAbstractButton*>(widget);
+      const bool named = !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty());
+      QVERIFY2(named,
+               qPrintable(QStringLiteral("%1 “%2” has no accessible name")
+                              .arg(QString::fromLatin1(widget->metaObject()->className()), widget->objectName())));
+    }
+  }
+};
+
+}  // namespace limbwave::ui::testing
+
+QTEST_MAIN(limbwave::ui::testing::CaptureTest)
+#include "capture_test.moc"

@@ -1,0 +1,179 @@
+/// The window around the workspaces: layout, jobs, shortcuts, drops, takes.
+#include <QAction>
+#include <QDockWidget>
+#include <QFile>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTest>
+#include <cmath>
+#include <set>
+
+#include "common/theme.h"
+#include "ui/support/fake_services.h"
+#include "ui/support/studio_fixture.h"
+#include "workspaces/job_bar.h"
+#include "workspaces/layout_store.h"
+#include "workspaces/message_bar.h"
+#include "workspaces/shortcut_sheet.h"
+#include "workspaces/take_actions.h"
+
+namespace limbwave::ui::testing {
+
+class ShellTest : public QObject {
+  Q_OBJECT
+ private:
+  static StudioServices services() { return fake_services(std::make_shared<FakeLine>()); }
+
+ private Q_SLOTS:
+  void layout_survives_garbage_in_the_settings() {
+    const QList<QByteArray> garbage{QByteArray(), QByteArray("garbage"), QByteArray(100000, '\xff'),
+                                    seal_layout(QByteArray("not a state")), seal_layout(QByteArray(5000, '\x7f'))};
+    for (const QByteArray& geometry : garbage) {
+      QTemporaryDir folder;
+      {
+        QSettings settings(folder.filePath(QStringLiteral("studio.ini")), QSettings::IniFormat);
+        settings.setValue(QStringLiteral("window/geometry"), geometry);
+        settings.setValue(QStringLiteral("window/docks"), geometry);
+        settings.setValue(QStringLiteral("recent/takes"), geometry);
+        settings.setValue(QStringLiteral("capture/rig"), geometry);
+        settings.setValue(QStringLiteral("takes/folder"), folder.path());
+      }
+      StudioContext context(services(), folder.path());
+      MainWindow window(context, studio_parts());
+      window.show();
+      QVERIFY(QTest::qWaitForWindowExposed(&window));
+      QVERIFY(window.show_workspace(QStringLiteral("capture")));
+      QVERIFY(window.width() >= window.minimumWidth());
+    }
+    // And a settings file that is no settings file.
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("studio.ini")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray(4096, '\x93') + "[[[=%%%\n@Variant(\\xff)");
+    file.close();
+    StudioContext context(services(), folder.path());
+    context.set_takes_folder(folder.path());
+    MainWindow window(context, studio_parts());
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+  }
+
+  void layout_is_remembered() {
+    QTemporaryDir folder;
+    {
+      StudioContext context(services(), folder.path());
+      context.set_takes_folder(folder.path());
+      MainWindow window(context, studio_parts());
+      window.show();
+      QVERIFY(QTest::qWaitForWindowExposed(&window));
+      window.resize(1111, 777);
+      QTRY_COMPARE(window.size(), QSize(1111, 777));
+      window.close();
+    }
+    StudioContext context(services(), folder.path());
+    MainWindow window(context, studio_parts());
+    window.show();
+    QTRY_COMPARE(window.size(), QSize(1111, 777));
+  }
+
+  void a_job_shows_time_and_can_be_cancelled() {
+    StudioFixture studio(services());
+    QVERIFY(QTest::qWaitForWindowExposed(studio.window.get()));
+    QTest::mouseClick(studio.window->findChild<QWidget*>(QStringLiteral("demo_wave")), Qt::LeftButton);
+    auto* bar = studio.window->findChild<JobBar*>(QStringLiteral("job_bar"));
+    QTRY_VERIFY(bar->isVisible());
+    auto* progress = bar->findChild<QProgressBar*>();
+    QTRY_VERIFY(progress->value() > 0);
+    QPushButton* cancel = bar->findChild<QPushButton*>();
+    QCOMPARE(cancel->text(), QStringLiteral("Cancel"));
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QTRY_VERIFY(studio.context->jobs().jobs().empty());
+    QTRY_VERIFY(!bar->isVisible());
+    QVERIFY2(!studio.context->document().is_open(), "cancelled: nothing opens");
+    QVERIFY2(studio.context->notifications().all().empty(), "cancelled: nothing to complain about");
+  }
+
+  void a_demo_take_opens_when_it_is_made() {
+    StudioFixture studio(services());
+    studio.window->take_actions().open_demo(QStringLiteral("wave"));
+    QTRY_VERIFY_WITH_TIMEOUT(studio.context->document().is_open(), 10000);
+    QCOMPARE(studio.context->document().name(), QStringLiteral("demo-wave"));
+    QVERIFY(studio.window->current_workspace() != QStringLiteral("welcome"));
+  }
+
+  void a_folder_that_is_no_take_is_refused_with_a_remedy() {
+    StudioFixture studio(services());
+    QVERIFY(QTest::qWaitForWindowExposed(studio.window.get()));
+    studio.window->take_actions().open(studio.folder.path());
+    auto* bar = studio.window->findChild<MessageBar*>(QStringLiteral("message_bar"));
+    QTRY_VERIFY(bar->isVisible());
+    QVERIFY(bar->text().contains(QStringLiteral("this is not a take")));
+    QVERIFY(bar->text().contains(QStringLiteral("Choose a folder")));
+  }
+
+  void drops_are_sorted() {
+    StudioFixture studio(services());
+    const QString take = studio.folder.filePath(QStringLiteral("x.take"));
+    QDir().mkpath(take);
+    const QString wav = studio.folder.filePath(QStringLiteral("a.WAV"));
+    QFile(wav).open(QIODevice::WriteOnly);
+    QVERIFY(TakeActions::acceptable({QUrl::fromLocalFile(take)}));
+    QVERIFY(TakeActions::acceptable({QUrl::fromLocalFile(wav)}));
+    QVERIFY(!TakeActions::acceptable({QUrl::fromLocalFile(studio.folder.path())}));
+    QVERIFY(!TakeActions::acceptable({QUrl(QStringLiteral("https://example.org/a.wav"))}));
+  }
+
+  void shortcuts_are_listed_and_none_is_used_twice() {
+    StudioFixture studio(services());
+    std::set<QString> used;
+    for (const QAction* action : studio.window->actions()) {
+      for (const QKeySequence& keys : action->shortcuts()) {
+        QVERIFY2(used.insert(keys.toString()).second, qPrintable(keys.toString()));
+      }
+    }
+    for (const ShortcutGroup& group : shortcut_groups(studio_parts())) {
+      QVERIFY(!group.shortcuts.empty());
+      for (const ShortcutHelp& help : group.shortcuts) {
+        QVERIFY(!help.keys.isEmpty() && !help.what.isEmpty());
+      }
+    }
+    studio.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(studio.window.get()));
+    QTest::keyClick(studio.window.get(), Qt::Key_1);
+    QCOMPARE(studio.window->current_workspace(), QStringLiteral("capture"));
+    QTest::keyClick(studio.window.get(), Qt::Key_Question, Qt::ShiftModifier);
+    QTRY_VERIFY(studio.window->findChild<ShortcutSheet*>() != nullptr);
+  }
+
+  void themes_have_enough_contrast() {
+    // WCAG 2: text against its ground at least 4.5 to 1.
+    const auto luminance = [](const QColor& c) {
+      const auto linear = [](double v) { return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+      return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+    };
+    const auto contrast = [&](const QColor& a, const QColor& b) {
+      const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
+      return std::max(x, y) / std::min(x, y);
+    };
+    for (const ThemeColors* theme : {&dark_theme(), &light_theme()}) {
+      for (const QColor& ground : {theme->window, theme->panel, theme->base}) {
+        for (const QColor& ink : {theme->text, theme->dim}) {
+          QVERIFY2(contrast(ink, ground) >= 4.5, qPrintable(ink.name() + QStringLiteral(" on ") + ground.name()));
+        }
+        for (const QColor& ink : {theme->good, theme->warning, theme->danger, theme->accent}) {
+          QVERIFY2(contrast(ink, ground) >= 3.0, qPrintable(ink.name() + QStringLiteral(" on ") + ground.name()));
+        }
+      }
+      QVERIFY(contrast(theme->accent_text, theme->accent) >= 4.5);
+      for (int i = 0; i < 5; ++i) {
+        QVERIFY(contrast(series_color(*theme, i), theme->base) >= 3.0);
+      }
+    }
+  }
+};
+
+}  // namespace limbwave::ui::testing
+
+QTEST_MAIN(limbwave::ui::testing::ShellTest)
+#include "shell_test.moc"

@@ -1,0 +1,176 @@
+#include "common/core_services.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "acquire/sound_card.h"
+#include "body/rig.h"
+#include "body/skeleton.h"
+#include "simulate/simulate.h"
+#include "solve/live_session.h"
+#include "solve/take_calibration.h"
+#include "take/import.h"
+
+namespace limbwave::ui {
+namespace {
+
+/// lupdate knows this as the context "CoreServices".
+struct CoreServices {
+  Q_DECLARE_TR_FUNCTIONS(CoreServices)
+};
+
+constexpr double kSimulatorRate = 48000.0;
+
+class SessionBackend : public LiveBackend {
+ public:
+  SessionBackend(std::unique_ptr<acquire::LiveSource> source, solve::LiveSettings settings)
+      : session_(std::move(source), std::move(settings)) {}
+  Status start() override { return session_.start(); }
+  void stop() override { session_.stop(); }
+  Status start_recording(const std::filesystem::path& folder, const std::string& subject) override {
+    return session_.start_recording(folder, subject);
+  }
+  Result<take::Take> stop_recording() override { return session_.stop_recording(); }
+  void mark(const std::string& text) override { session_.mark(text); }
+  void set_calibration(const calibrate::RigCalibration& calibration) override { session_.set_calibration(calibration); }
+  void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) override {
+    session_.set_headings(headings);
+  }
+  [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override { return session_.snapshot(); }
+
+ private:
+  solve::LiveSession session_;
+};
+
+std::string simulator_title(const std::string& motion) {
+  return CoreServices::tr("Simulator: %1").arg(QString::fromStdString(motion)).toStdString();
+}
+
+Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
+  auto devices = acquire::list_devices();
+  if (!devices) {
+    return devices;
+  }
+  std::vector<acquire::DeviceInfo> all = std::move(devices).value();
+  for (const std::string& motion : simulate::builtin_motions()) {
+    acquire::DeviceInfo simulator;
+    simulator.id = kSimulatorPrefix + motion;
+    simulator.title = simulator_title(motion);
+    simulator.channels = 2;
+    simulator.default_rate_hz = kSimulatorRate;
+    simulator.rates_hz = {44100.0, kSimulatorRate, 96000.0, 192000.0};
+    all.push_back(std::move(simulator));
+  }
+  return all;
+}
+
+Result<simulate::SimulateSettings> simulator_settings(const std::string& motion) {
+  simulate::SimulateSettings settings;
+  settings.motion = motion;
+  settings.errors_name = "paper";
+  auto errors = simulate::load_errors(settings.errors_name);
+  if (!errors) {
+    return errors.error();
+  }
+  settings.errors = errors.value();
+  settings.format.rate = SampleRate{kSimulatorRate};
+  return settings;
+}
+
+/// The rate closest to `wanted` that the device takes, 48 kHz when nothing is wanted, and its best sample type up to 24
+/// bit: more is noise.
+acquire::StreamFormat choose_format(const std::string& id, double wanted) {
+  acquire::StreamFormat format{SampleRate{wanted > 0.0 ? wanted : 48000.0}, 2, acquire::SampleType::kInt16};
+  const auto devices = acquire::list_devices();
+  if (!devices) {
+    return format;
+  }
+  for (const acquire::DeviceInfo& device : devices.value()) {
+    if (device.id != id) {
+      continue;
+    }
+    const double target = wanted > 0.0 ? wanted : 48000.0;
+    const auto nearest = std::min_element(device.rates_hz.begin(), device.rates_hz.end(), [target](double a, double b) {
+      return std::abs(a - target) < std::abs(b - target);
+    });
+    format.rate.hz = nearest != device.rates_hz.end() ? *nearest : target;
+    for (const auto type : {acquire::SampleType::kInt24, acquire::SampleType::kInt16, acquire::SampleType::kInt32,
+                            acquire::SampleType::kFloat32}) {
+      if (std::find(device.types.begin(), device.types.end(), type) != device.types.end()) {
+        format.type = type;
+        break;
+      }
+    }
+  }
+  return format;
+}
+
+Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& id, const acquire::StreamFormat& wanted,
+                                                             const std::string& rig) {
+  const std::string prefix = kSimulatorPrefix;
+  if (id.rfind(prefix, 0) != 0) {
+    return acquire::open_sound_card(id, choose_format(id, wanted.rate.hz));
+  }
+  auto settings = simulator_settings(id.substr(prefix.size()));
+  if (!settings) {
+    return settings.error();
+  }
+  settings->rig = rig;
+  // The take's own calibration poses are for demo takes; a live device moves at once.
+  settings->prologue = false;
+  if (wanted.rate.hz > 0.0) {
+    settings->format.rate = wanted.rate;
+  }
+  return simulate::open_simulator(settings.value());
+}
+
+Result<solve::LiveSettings> load_rig_for(const std::string& rig, const std::string& subject) {
+  auto loaded = body::load_rig(rig);
+  if (!loaded) {
+    return loaded.error();
+  }
+  solve::LiveSettings settings;
+  settings.rig = std::move(loaded).value();
+  auto skeleton = body::load_skeleton(settings.rig.skeleton);
+  if (!skeleton) {
+    return skeleton.error();
+  }
+  settings.skeleton = std::move(skeleton).value();
+  settings.calibration = solve::calibration_for_recording(settings.rig, subject);
+  return settings;
+}
+
+}  // namespace
+
+StudioServices core_services() {
+  StudioServices services;
+  services.list_devices = list_all_devices;
+  services.open_device = open_any_device;
+  services.make_live = [](std::unique_ptr<acquire::LiveSource> source, solve::LiveSettings settings) {
+    return std::unique_ptr<LiveBackend>(std::make_unique<SessionBackend>(std::move(source), std::move(settings)));
+  };
+  services.demo_motions = [] { return simulate::builtin_motions(); };
+  services.list_rigs = [] { return body::shipped_rigs(); };
+  services.load_rig = load_rig_for;
+  services.open_take = [](const std::filesystem::path& folder) { return take::open_take(folder); };
+  services.import_recording = [](const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,
+                                 const std::string& rig, const Progress& progress) -> Status {
+    auto loaded = body::load_rig(rig);
+    if (!loaded) {
+      return loaded.error();
+    }
+    auto take = take::import_recordings(folder, files, loaded.value(), progress);
+    return take ? Status() : Status(take.error());
+  };
+  services.simulate_take = [](const std::filesystem::path& folder, const std::string& motion,
+                              const Progress& progress) -> Status {
+    auto settings = simulator_settings(motion);
+    if (!settings) {
+      return settings.error();
+    }
+    return simulate::simulate_take(folder, settings.value(), progress);
+  };
+  return services;
+}
+
+}  // namespace limbwave::ui

@@ -1,0 +1,217 @@
+#include "workspaces/capture/capture_workspace.h"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "common/format.h"
+#include "common/theme.h"
+#include "common/widgets.h"
+#include "plots/scope_view.h"
+#include "plots/sensor_strips.h"
+#include "workspaces/capture/level_panel.h"
+#include "workspaces/capture/marker_panel.h"
+#include "workspaces/capture/overview_panel.h"
+#include "workspaces/capture/record_panel.h"
+#include "workspaces/capture/source_bar.h"
+
+namespace limbwave::ui {
+
+CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
+    : Workspace(parent),
+      context_(context),
+      model_(context),
+      source_(new SourceBar(context, model_, this)),
+      center_(new QStackedWidget(this)),
+      empty_(new EmptyState(QStringLiteral("no-device"), this)) {
+  setObjectName(QStringLiteral("capture_workspace"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(2 * kGrid, 2 * kGrid, 0, kGrid);
+  layout->setSpacing(2 * kGrid);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(2 * kGrid);
+  column->addWidget(source_);
+  column->addWidget(center_, 1);
+  overview_ = new OverviewPanel(context_, this);
+  column->addWidget(overview_);
+  layout->addLayout(column, 1);
+
+  empty_refresh_ = empty_->add_button(tr("Look again"), false);
+  empty_refresh_->setObjectName(QStringLiteral("empty_refresh"));
+  empty_simulator_ = empty_->add_button(tr("Use the simulator"), true);
+  empty_simulator_->setObjectName(QStringLiteral("use_simulator"));
+  connect(empty_refresh_, &QPushButton::clicked, &model_, &CaptureModel::refresh_devices);
+  connect(empty_simulator_, &QPushButton::clicked, this, [this] {
+    const auto& devices = model_.devices();
+    const auto found = std::find_if(devices.begin(), devices.end(),
+                                    [](const acquire::DeviceInfo& d) { return d.id.starts_with("simulator"); });
+    if (found != devices.end()) {
+      model_.open_device(QString::fromStdString(found->id));
+    }
+  });
+  center_->addWidget(empty_);
+  make_signals();
+  make_side();
+  layout->addWidget(side_);
+  make_shortcuts();
+
+  connect(&model_, &CaptureModel::devices_changed, this, &CaptureWorkspace::follow_state);
+  connect(&model_, &CaptureModel::setup_changed, this, &CaptureWorkspace::follow_state);
+  connect(&context_.live(), &LiveModel::state_changed, this, &CaptureWorkspace::follow_state);
+  connect(&context_.live(), &LiveModel::snapshot_changed, this, &CaptureWorkspace::follow_snapshot);
+  connect(&context_.live(), &LiveModel::recording_finished, this, &CaptureWorkspace::announce);
+  connect(&context_.selection(), &Selection::changed, this, [this] {
+    const int sensor = context_.selection().index_of(SelectionKind::kSensor);
+    scope_->set_selected_sensor(sensor);
+    strips_->set_selected_sensor(sensor);
+  });
+  follow_state();
+}
+
+void CaptureWorkspace::make_signals() {
+  live_page_ = new QWidget(center_);
+  auto* layout = new QVBoxLayout(live_page_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* splitter = new QSplitter(Qt::Vertical, live_page_);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(2 * kGrid);
+  scope_ = new ScopeView(splitter);
+  strips_ = new SensorStrips(splitter);
+  splitter->addWidget(scope_);
+  splitter->addWidget(strips_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 4);
+  layout->addWidget(splitter);
+  center_->addWidget(live_page_);
+  const auto select = [this](int sensor) {
+    if (sensor >= 0) {
+      context_.selection().select(SelectionKind::kSensor, sensor);
+    } else {
+      context_.selection().clear();
+    }
+  };
+  connect(scope_, &ScopeView::sensor_clicked, this, select);
+  connect(strips_, &SensorStrips::sensor_clicked, this, select);
+}
+
+void CaptureWorkspace::make_side() {
+  side_ = new QScrollArea(this);
+  side_->setWidgetResizable(true);
+  side_->setFrameShape(QFrame::NoFrame);
+  side_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  side_->setFixedWidth(43 * kGrid);
+  auto* page = new QWidget(side_);
+  page->setProperty("scroll", true);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 2 * kGrid, 0);
+  layout->setSpacing(2 * kGrid);
+  record_ = new RecordPanel(context_, model_, page);
+  level_ = new LevelPanel(context_, page);
+  layout->addWidget(record_);
+  layout->addWidget(level_);
+  layout->addWidget(new MarkerPanel(context_, model_, page), 1);
+  side_->setWidget(page);
+}
+
+void CaptureWorkspace::make_shortcuts() {
+  const auto add = [this](int key, auto&& handler) {
+    auto* shortcut = new QShortcut(QKeySequence(key), this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, handler);
+  };
+  add(Qt::Key_R, [this] { model_.toggle_recording(); });
+  add(Qt::Key_M, [this] { model_.mark(); });
+  add(Qt::Key_F5, [this] { model_.refresh_devices(); });
+}
+
+std::vector<ShortcutHelp> CaptureWorkspace::shortcuts() {
+  return {{QStringLiteral("R"), tr("Record, or stop recording")},
+          {QStringLiteral("M"), tr("Set a marker")},
+          {QStringLiteral("F5"), tr("Look for devices again")}};
+}
+
+void CaptureWorkspace::activate() {
+  setFocus();
+  if (!searched_) {
+    searched_ = true;
+    model_.refresh_devices();
+  }
+}
+
+void CaptureWorkspace::follow_state() {
+  const LiveModel& live = context_.live();
+  if (scope_->property("names").toStringList() != model_.sensor_names()) {
+    scope_->setProperty("names", model_.sensor_names());
+    scope_->set_sensors(model_.sensor_names(), model_.slot_count());
+    strips_->set_sensors(model_.sensor_names());
+  }
+  if (live.running()) {
+    center_->setCurrentWidget(live_page_);
+    return;
+  }
+  center_->setCurrentWidget(empty_);
+  const bool simulator = std::any_of(model_.devices().begin(), model_.devices().end(),
+                                     [](const acquire::DeviceInfo& d) { return d.id.starts_with("simulator"); });
+  const bool others = model_.devices().size() > (simulator ? 1U : 0U);
+  if (live.state() == LiveState::kOpening || model_.searching()) {
+    empty_->set_texts(model_.searching() ? tr("Looking for devices") : tr("Opening %1").arg(live.device_title()), {});
+  } else if (!live.problem().isEmpty()) {
+    empty_->set_texts(tr("%1 cannot be opened").arg(live.device_title()),
+                      live.problem() + QLatin1Char(' ') + live.remedy());
+  } else if (!model_.search_problem().isEmpty()) {
+    empty_->set_texts(tr("The sound system does not answer"), model_.search_problem());
+  } else if (others) {
+    empty_->set_texts(tr("Choose a device"),
+                      tr("Choose above the line input that the board is plugged into. Levels and signals show at once; "
+                         "nothing is recorded before you say so."));
+  } else {
+    empty_->set_texts(tr("No sound card with a stereo input was found"),
+                      tr("Plug in a sound card with a stereo line input and look again. A microphone input is mono and "
+                         "does not do. Without hardware, the simulator is a device as well."));
+  }
+  empty_refresh_->setVisible(!model_.searching() && live.state() == LiveState::kOff);
+  empty_simulator_->setVisible(simulator && !model_.searching() && live.state() == LiveState::kOff);
+}
+
+void CaptureWorkspace::follow_snapshot() {
+  const auto& snapshot = context_.live().snapshot();
+  if (isVisible() || !snapshot) {
+    scope_->set_snapshot(snapshot);
+    strips_->set_snapshot(snapshot);
+  }
+}
+
+void CaptureWorkspace::announce(const take::Take& take) {
+  const double seconds =
+      take.info.format.rate.hz > 0.0 ? static_cast<double>(take.info.frames) / take.info.format.rate.hz : 0.0;
+  context_.notifications().post(
+      Severity::kInfo,
+      tr("%1 is recorded: %2.").arg(QString::fromStdString(take.folder.stem().string()), format_clock_tenths(seconds)),
+      {}, tr("Solve it"), [this] { context_.reveal(QStringLiteral("solve")); });
+}
+
+void CaptureWorkspace::reveal(const QString& topic) {
+  if (topic == QLatin1String("devices")) {
+    source_->focus_devices();
+  } else if (topic == QLatin1String("record") || topic == QLatin1String("disk")) {
+    side_->ensureWidgetVisible(record_);
+    record_->focus_record();
+  } else if (topic == QLatin1String("line")) {
+    side_->ensureWidgetVisible(level_);
+    scope_->setFocus();
+  } else if (topic.startsWith(QLatin1String("sensor"))) {
+    strips_->setFocus();
+    bool ok = false;
+    const int sensor = topic.section(QLatin1Char(':'), 1).toInt(&ok);
+    if (ok) {
+      context_.selection().select(SelectionKind::kSensor, sensor);
+    }
+  }
+}
+
+}  // namespace limbwave::ui

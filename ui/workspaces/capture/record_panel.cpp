@@ -1,0 +1,169 @@
+#include "workspaces/capture/record_panel.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QStorageInfo>
+
+#include "common/format.h"
+#include "common/icons.h"
+#include "common/theme.h"
+
+namespace limbwave::ui {
+
+RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* parent)
+    : Card({}, parent),
+      context_(context),
+      model_(model),
+      time_(new QLabel(this)),
+      state_(dim_label({}, this)),
+      record_(new QPushButton(this)),
+      subject_(new QLineEdit(this)),
+      name_(new QLineEdit(this)),
+      name_problem_(new QLabel(this)),
+      folder_(new ElidedLabel({}, this)),
+      disk_(dim_label({}, this)) {
+  time_->setFont(tabular(time_->font(), 64.0 / 13.0, QFont::Light));
+  time_->setAlignment(Qt::AlignCenter);
+  time_->setAccessibleName(tr("Recorded time"));
+  time_->setObjectName(QStringLiteral("record_time"));
+  time_->setMinimumHeight(72);
+  state_->setAlignment(Qt::AlignCenter);
+  record_->setMinimumHeight(48);
+  record_->setIconSize(QSize(20, 20));
+  record_->setObjectName(QStringLiteral("record_button"));
+  QFont larger = record_->font();
+  larger.setPixelSize(16);
+  record_->setFont(larger);
+  body()->addWidget(time_);
+  body()->addWidget(state_);
+  body()->addWidget(record_);
+
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(2 * kGrid);
+  form->setVerticalSpacing(kGrid);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  subject_->setObjectName(QStringLiteral("subject_edit"));
+  subject_->setAccessibleName(tr("Subject"));
+  subject_->setPlaceholderText(tr("Who wears the sensors"));
+  subject_->setMaxLength(200);
+  subject_->setText(model_.subject());
+  name_->setObjectName(QStringLiteral("take_name_edit"));
+  name_->setAccessibleName(tr("Name of the take"));
+  name_->setMaxLength(200);
+  form->addRow(dim_label(tr("Subject"), this), subject_);
+  form->addRow(dim_label(tr("Take"), this), name_);
+  body()->addLayout(form);
+  name_problem_->setWordWrap(true);
+  name_problem_->setProperty("role", "danger");
+  name_problem_->setObjectName(QStringLiteral("take_name_problem"));
+  body()->addWidget(name_problem_);
+
+  auto* disk_row = new QHBoxLayout;
+  disk_row->setSpacing(kGrid);
+  folder_->setProperty("role", "dim");
+  auto* choose = icon_button(QStringLiteral("folder"), tr("Choose the folder for takes"), this);
+  disk_row->addWidget(choose);
+  disk_row->addWidget(folder_, 1);
+  disk_row->addWidget(disk_);
+  body()->addLayout(disk_row);
+
+  connect(choose, &QToolButton::clicked, this, &RecordPanel::choose_folder);
+  connect(record_, &QPushButton::clicked, &model_, &CaptureModel::toggle_recording);
+  connect(subject_, &QLineEdit::textEdited, &model_, &CaptureModel::set_subject);
+  connect(name_, &QLineEdit::textEdited, &model_, &CaptureModel::set_take_name);
+  connect(&model_, &CaptureModel::setup_changed, this, &RecordPanel::refresh);
+  connect(&context_.live(), &LiveModel::recording_changed, this, &RecordPanel::refresh);
+  connect(&context_.live(), &LiveModel::state_changed, this, &RecordPanel::refresh);
+  connect(&context_.live(), &LiveModel::snapshot_changed, this, &RecordPanel::refresh_time);
+  refresh();
+}
+
+void RecordPanel::focus_record() {
+  record_->setFocus();
+}
+
+void RecordPanel::changeEvent(QEvent* event) {
+  Card::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    refresh();
+  }
+}
+
+void RecordPanel::choose_folder() {
+  const QString folder = QFileDialog::getExistingDirectory(window(), tr("Folder for takes"), context_.takes_folder());
+  if (!folder.isEmpty()) {
+    context_.set_takes_folder(folder);
+    model_.set_subject(model_.subject());
+    refresh();
+  }
+}
+
+void RecordPanel::refresh() {
+  const LiveModel& live = context_.live();
+  const bool recording = live.recording();
+  const bool busy = live.starting() || live.finishing();
+  record_->setText(recording ? tr("Stop") : tr("Record"));
+  record_->setAccessibleName(recording ? tr("Stop recording") : tr("Record"));
+  const ThemeColors& theme = theme_colors(palette());
+  record_->setIcon(QIcon(icon_pixmap(recording ? QStringLiteral("stop") : QStringLiteral("record"),
+                                     recording             ? theme.text
+                                     : model_.can_record() ? theme.accent_text
+                                                           : theme.dim,
+                                     20, devicePixelRatioF())));
+  set_style_property(record_, "primary", !recording);
+  record_->setEnabled(recording ? !busy : model_.can_record());
+  subject_->setEnabled(!recording && !busy);
+  name_->setEnabled(!recording && !busy);
+  if (subject_->text() != model_.subject()) {
+    subject_->setText(model_.subject());
+  }
+  if (name_->text() != model_.take_name()) {
+    name_->setText(model_.take_name());
+    name_->setCursorPosition(0);
+  }
+  name_->setToolTip(model_.take_folder());
+  const QString problem = recording || busy ? QString() : model_.take_name_problem();
+  name_problem_->setText(problem);
+  name_problem_->setVisible(!problem.isEmpty());
+  folder_->set_text(context_.takes_folder());
+  record_->setToolTip(recording                             ? tr("Stop recording and close the take (R)")
+                      : model_.can_record()                 ? tr("Record a new take (R)")
+                      : live.state() != LiveState::kRunning ? tr("Choose a device first")
+                                                            : problem);
+  refresh_time();
+}
+
+void RecordPanel::refresh_time() {
+  const LiveModel& live = context_.live();
+  const auto& snapshot = live.snapshot();
+  const bool recording = live.recording();
+  time_->setText(format_clock_tenths(recording && snapshot ? snapshot->recorded_s : 0.0));
+  time_->setForegroundRole(recording ? QPalette::Text : QPalette::PlaceholderText);
+  if (recording && snapshot && snapshot->counters.overflows > 0) {
+    state_->setText(tr("Recording, but samples are being lost"));
+  } else {
+    state_->setText(recording                             ? tr("Recording")
+                    : live.finishing()                    ? tr("Closing the take")
+                    : live.starting()                     ? tr("Making the take")
+                    : model_.can_record()                 ? tr("Ready")
+                    : live.state() == LiveState::kOpening ? tr("Opening the device")
+                    : live.state() == LiveState::kRunning ? tr("Not ready")
+                                                          : tr("No device"));
+  }
+  double left = snapshot ? snapshot->disk_left_s : 0.0;
+  if (!(left > 0.0)) {
+    // Before a device is open: what 48 kHz in 16 bit stereo would take.
+    left = static_cast<double>(QStorageInfo(context_.takes_folder()).bytesAvailable()) / (48000.0 * 4.0);
+  }
+  disk_->setText(tr("disk: %1").arg(format_left(left)));
+  disk_->setToolTip(tr("How long recording lasts until the disk is full"));
+  const bool can = recording || model_.can_record();
+  if (record_->isEnabled() != can && !live.starting() && !live.finishing()) {
+    refresh();
+  }
+}
+
+}  // namespace limbwave::ui

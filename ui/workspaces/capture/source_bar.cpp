@@ -1,0 +1,100 @@
+#include "workspaces/capture/source_bar.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include "common/format.h"
+#include "common/icons.h"
+#include "common/theme.h"
+#include "common/widgets.h"
+
+namespace limbwave::ui {
+
+SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* parent)
+    : QWidget(parent),
+      context_(context),
+      model_(model),
+      devices_(new QComboBox(this)),
+      rigs_(new QComboBox(this)),
+      refresh_(icon_button(QStringLiteral("refresh"), tr("Look for devices again"), this)),
+      format_(dim_label({}, this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  auto* device_label = dim_label(tr("&Device"), this);
+  device_label->setBuddy(devices_);
+  devices_->setObjectName(QStringLiteral("device_box"));
+  devices_->setAccessibleName(tr("Device"));
+  devices_->setToolTip(tr("Where the signal comes from: a sound card's line input, or the simulator"));
+  devices_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  devices_->setMinimumContentsLength(16);
+  auto* rig_label = dim_label(tr("R&ig"), this);
+  rig_label->setBuddy(rigs_);
+  rigs_->setObjectName(QStringLiteral("rig_box"));
+  rigs_->setAccessibleName(tr("Rig"));
+  rigs_->setToolTip(tr("What is worn where"));
+  rigs_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  rigs_->setMinimumContentsLength(12);
+  refresh_->setObjectName(QStringLiteral("refresh_devices"));
+  layout->addWidget(device_label);
+  layout->addWidget(devices_, 3);
+  layout->addWidget(refresh_);
+  layout->addWidget(format_);
+  layout->addSpacing(2 * kGrid);
+  layout->addWidget(rig_label);
+  layout->addWidget(rigs_, 2);
+
+  connect(refresh_, &QToolButton::clicked, &model_, &CaptureModel::refresh_devices);
+  connect(devices_, &QComboBox::activated, this,
+          [this](int index) { model_.open_device(devices_->itemData(index).toString()); });
+  connect(rigs_, &QComboBox::activated, this, [this](int index) { model_.set_rig(rigs_->itemData(index).toString()); });
+  connect(&model_, &CaptureModel::devices_changed, this, &SourceBar::refresh);
+  connect(&model_, &CaptureModel::setup_changed, this, &SourceBar::refresh);
+  connect(&context_.live(), &LiveModel::state_changed, this, &SourceBar::refresh);
+  connect(&context_.live(), &LiveModel::recording_changed, this, &SourceBar::refresh);
+  connect(&context_.live(), &LiveModel::snapshot_changed, this, [this] {
+    // The format is known with the first samples.
+    if (format_->text().isEmpty() || context_.live().snapshot() == nullptr) {
+      refresh();
+    }
+  });
+  refresh();
+}
+
+void SourceBar::focus_devices() {
+  devices_->setFocus();
+}
+
+void SourceBar::refresh() {
+  const LiveModel& live = context_.live();
+  const QSignalBlocker block_devices(devices_), block_rigs(rigs_);
+  devices_->clear();
+  devices_->addItem(model_.searching() ? tr("Looking for devices…") : tr("Choose a device"), QString());
+  for (const acquire::DeviceInfo& device : model_.devices()) {
+    devices_->addItem(QString::fromStdString(device.title), QString::fromStdString(device.id));
+    devices_->setItemData(devices_->count() - 1, QString::fromStdString(device.id), Qt::ToolTipRole);
+  }
+  const int chosen = live.state() == LiveState::kOff ? 0 : devices_->findData(live.device_id());
+  devices_->setCurrentIndex(std::max(0, chosen));
+  rigs_->clear();
+  for (const QString& rig : model_.rigs()) {
+    rigs_->addItem(rig, rig);
+  }
+  rigs_->setCurrentIndex(rigs_->findData(model_.rig()));
+  const bool free = !live.recording() && !live.starting() && !live.finishing();
+  devices_->setEnabled(free);
+  rigs_->setEnabled(free && rigs_->count() > 0);
+  refresh_->setEnabled(free && !model_.searching());
+  if (live.snapshot() && live.running()) {
+    format_->setText(tr("%1, %2 bit")
+                         .arg(format_rate(live.snapshot()->format.rate.hz))
+                         .arg(8 * acquire::bytes_per_sample(live.snapshot()->format.type)));
+  } else {
+    format_->clear();
+  }
+}
+
+}  // namespace limbwave::ui

@@ -1,0 +1,31 @@
+/// What is captured: device and rig.
+#pragma once
+
+#include <QWidget>
+
+#include "common/studio_context.h"
+#include "workspaces/capture/capture_model.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace limbwave::ui {
+
+class SourceBar : public QWidget {
+  Q_OBJECT
+ public:
+  SourceBar(StudioContext& context, CaptureModel& model, QWidget* parent = nullptr);
+  void focus_devices();
+
+ private:
+  void refresh();
+  StudioContext& context_;
+  CaptureModel& model_;
+  QComboBox* devices_;
+  QComboBox* rigs_;
+  QToolButton* refresh_;
+  QLabel* format_;
+};
+
+}  // namespace limbwave::ui
