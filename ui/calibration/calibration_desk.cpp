@@ -2,6 +2,7 @@
 
 #include <QDateTime>
 #include <algorithm>
+#include <utility>
 
 #include "base/files.h"
 #include "calibration/calibration_words.h"
@@ -46,8 +47,15 @@ CalibrationDesk::CalibrationDesk(StudioContext& context, CalibrationSource& sour
   connect(&source_, &CalibrationSource::changed, this, &CalibrationDesk::follow);
   connect(&context_.document(), &TakeDocument::changed, this, &CalibrationDesk::follow);
   connect(&source_, &CalibrationSource::recording_closed, this, [this](const take::Take& take) {
-    if (take.folder == recording_folder_) {
-      store_segments(take);
+    if (recording_ && take.folder == recording_folder_) {
+      end_recording();  // It ended by itself: the device is gone.
+    }
+    const auto found = std::find_if(closing_.begin(), closing_.end(),
+                                    [&](const Closing& closing) { return closing.folder == take.folder; });
+    if (found != closing_.end()) {
+      const Closing closing = *found;
+      closing_.erase(found);
+      store_segments(take, closing);
     }
   });
   connect(&source_, &CalibrationSource::recording_failed, this, [this](const QString& text) {
@@ -101,10 +109,19 @@ void CalibrationDesk::follow() {
 }
 
 void CalibrationDesk::refresh() {
+  if (reading_) {
+    read_again_ = true;  // What is being read may be older than what was just saved.
+    return;
+  }
+  reading_ = true;
   context_.jobs().compute<take::LibraryListing>(
       tr("Reading the calibration library"), this,
       [library = library_](const Progress&) -> Result<take::LibraryListing> { return library.list(); },
       [this](Result<take::LibraryListing> listing) {
+        reading_ = false;
+        if (std::exchange(read_again_, false)) {
+          refresh();
+        }
         if (listing) {
           listing_ = std::move(listing).value();
           Q_EMIT changed();
@@ -221,13 +238,15 @@ void CalibrationDesk::add_segment(const std::string& name, double begin_s, doubl
 void CalibrationDesk::end_recording() {
   if (recording_) {
     recording_ = false;
+    closing_.push_back({recording_folder_, std::move(segments_), source_.recording_start_s()});
+    segments_.clear();
     source_.stop_recording();
   }
 }
 
-void CalibrationDesk::store_segments(take::Take take) {
-  const double start_s = source_.recording_start_s();
-  for (const Segment& segment : segments_) {
+void CalibrationDesk::store_segments(take::Take take, const Closing& closing) {
+  const double start_s = closing.start_s;
+  for (const Segment& segment : closing.segments) {
     const SampleRate rate = take.info.format.rate;
     const SampleIndex first = rate.index(Seconds{std::max(0.0, segment.begin_s - start_s)});
     const std::int64_t last =
@@ -236,7 +255,6 @@ void CalibrationDesk::store_segments(take::Take take) {
       take.info.segments.push_back({segment.name, first, SampleCount{last - first.value}});
     }
   }
-  segments_.clear();
   context_.jobs().start(
       tr("Closing the calibration's take"), this,
       [take = std::move(take)](const Progress&) { return take::save_info(take); },

@@ -79,13 +79,19 @@ class CalibrationDesk : public QObject {
 
  private:
   void follow();
-  void store_segments(take::Take take);
-  void set_note(const QString& note);
-
   struct Segment {
     std::string name;
     double begin_s, end_s;
   };
+  /// A recording that is being closed on disk; another may begin meanwhile.
+  struct Closing {
+    std::filesystem::path folder;
+    std::vector<Segment> segments;
+    double start_s;
+  };
+  void store_segments(take::Take take, const Closing& closing);
+  void set_note(const QString& note);
+
   StudioContext& context_;
   CalibrationSource& source_;
   take::CalibrationLibrary library_;
@@ -93,8 +99,10 @@ class CalibrationDesk : public QObject {
   calibrate::RigCalibration calibration_;
   std::filesystem::path recording_folder_;
   std::vector<Segment> segments_;
+  std::vector<Closing> closing_;
   QString recording_note_;
   bool recording_ = false;
+  bool reading_ = false, read_again_ = false;
 };
 
 }  // namespace limbwave::ui

@@ -1,6 +1,7 @@
 #include "calibration/calibration_source.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limbwave::ui {
 
@@ -17,7 +18,8 @@ LiveCalibrationSource::LiveCalibrationSource(LiveModel& live, QObject* parent)
     last_time_s_ = -1.0;
     Q_EMIT changed();
   });
-  connect(&live_, &LiveModel::recording_finished, this, &CalibrationSource::recording_closed);
+  connect(&live_, &LiveModel::recording_changed, this, &LiveCalibrationSource::follow_recording);
+  connect(&live_, &LiveModel::aside_finished, this, &CalibrationSource::recording_closed);
   connect(&live_, &LiveModel::recording_failed, this, &CalibrationSource::recording_failed);
 }
 
@@ -31,12 +33,34 @@ void LiveCalibrationSource::set_calibration(const calibrate::RigCalibration& cal
 }
 
 bool LiveCalibrationSource::start_recording(const std::filesystem::path& folder, const QString& subject) {
-  if (live_.recording() || live_.finishing() || !live_.running()) {
+  if (live_.recording() || live_.starting() || !live_.running()) {
     return false;
   }
-  // The next sample that comes is the first of the recording.
+  stop_wanted_ = false;
+  if (live_.finishing()) {
+    wanted_folder_ = folder;
+    wanted_subject_ = subject;
+    return true;
+  }
+  // Until the recording tells its own: the next sample that comes is its first.
   recording_start_s_ = live_.snapshot() ? live_.snapshot()->stream_time_s : 0.0;
-  return live_.start_recording(folder, subject);
+  return live_.start_recording(folder, subject, true);
+}
+
+void LiveCalibrationSource::stop_recording() {
+  wanted_folder_.clear();
+  stop_wanted_ = live_.starting();
+  live_.stop_recording();
+}
+
+void LiveCalibrationSource::follow_recording() {
+  if (live_.recording() && stop_wanted_) {
+    stop_wanted_ = false;
+    live_.stop_recording();
+  } else if (!live_.recording() && !live_.finishing() && !wanted_folder_.empty()) {
+    const std::filesystem::path folder = std::exchange(wanted_folder_, {});
+    start_recording(folder, wanted_subject_);
+  }
 }
 
 void LiveCalibrationSource::read_snapshot() {

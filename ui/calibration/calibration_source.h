@@ -61,12 +61,17 @@ class LiveCalibrationSource : public CalibrationSource {
   [[nodiscard]] const calibrate::RigCalibration& calibration() const override { return live_.settings().calibration; }
   void set_calibration(const calibrate::RigCalibration& calibration) override;
   bool start_recording(const std::filesystem::path& folder, const QString& subject) override;
-  void stop_recording() override { live_.stop_recording(); }
+  void stop_recording() override;
   [[nodiscard]] double recording_start_s() const override { return recording_start_s_; }
 
  private:
   void read_snapshot();
+  void follow_recording();
   LiveModel& live_;
+  /// What was asked for while a recording was still being started or closed, which takes a moment.
+  bool stop_wanted_ = false;
+  std::filesystem::path wanted_folder_;
+  QString wanted_subject_;
   double last_time_s_ = -1.0;
   double recording_start_s_ = 0.0;
 };

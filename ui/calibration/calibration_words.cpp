@@ -128,6 +128,14 @@ QString up_words(const Eigen::Vector3d& up_S) {
   }
 }
 
+QString counted_sensors(int count) {
+  return count == 1 ? Words::tr("1 sensor") : Words::tr("%1 sensors").arg(count);
+}
+
+QString counted_calibrations(int count) {
+  return count == 1 ? Words::tr("1 calibration") : Words::tr("%1 calibrations").arg(count);
+}
+
 QString method_words(const std::string& method) {
   if (method == "extremes") {
     return Words::tr("extremes");

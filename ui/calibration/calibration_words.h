@@ -39,6 +39,10 @@ std::string now_iso();
 
 /// Which of the sensor's axes points up: "+z up", "+x and −y up".
 QString up_words(const Eigen::Vector3d& up_S);
+/// "1 sensor", "5 sensors"
+QString counted_sensors(int count);
+/// "1 calibration", "5 calibrations"
+QString counted_calibrations(int count);
 QString method_words(const std::string& method);
 
 }  // namespace limbwave::ui

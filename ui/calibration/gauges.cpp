@@ -71,6 +71,9 @@ MovementBars::MovementBars(QWidget* parent) : QWidget(parent) {
 }
 
 QString MovementBars::row_words(const Row& row, double threshold_g) {
+  if (!row.heard) {
+    return tr("waiting");
+  }
   if (!row.has_signal) {
     return tr("no signal");
   }
@@ -110,7 +113,10 @@ void MovementBars::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     const double y = static_cast<double>(i) * 34.0;
-    const Tone tone = !row.has_signal ? Tone::kDanger : row.movement_g > threshold_g_ ? Tone::kWarning : Tone::kGood;
+    const Tone tone = !row.heard                      ? Tone::kUnknown
+                      : !row.has_signal               ? Tone::kDanger
+                      : row.movement_g > threshold_g_ ? Tone::kWarning
+                                                      : Tone::kGood;
     const QColor color = finding_color(palette(), tone);
     QFont name_font = font();
     name_font.setPixelSize(15);

@@ -40,6 +40,7 @@ class MovementBars : public QWidget {
     QString name;
     double movement_g = 0.0;
     bool has_signal = true;
+    bool heard = true;  ///< False: nothing to say yet.
   };
   explicit MovementBars(QWidget* parent = nullptr);
   void set_rows(std::vector<Row> rows, double threshold_g);

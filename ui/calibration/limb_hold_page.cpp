@@ -81,8 +81,8 @@ void LimbHoldPage::refresh() {
   for (const HolderState& holder : model_.holders()) {
     rows.push_back(
         {QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name),
-         holder.movement.movement_g, holder.movement.has_signal});
-    if (!holder.movement.has_signal && lost_ < 0) {
+         holder.movement.movement_g, holder.movement.has_signal, holder.movement.heard});
+    if (holder.movement.heard && !holder.movement.has_signal && lost_ < 0) {
       lost_ = holder.sensor;
     }
   }
@@ -104,7 +104,8 @@ void LimbHoldPage::show_countdown() {
 }
 
 void LimbHoldPage::show_hold() {
-  const QString lost = names([](const HolderState& holder) { return !holder.movement.has_signal; });
+  const QString lost =
+      names([](const HolderState& holder) { return holder.movement.heard && !holder.movement.has_signal; });
   const QString movers = names([](const HolderState& holder) { return holder.moves; });
   const bool early = model_.progress().seconds < 0.5;
   stillest_->setVisible(model_.can_take_stillest());

@@ -228,10 +228,10 @@ void LimbWizard::show_page() {
 
 void LimbWizard::leave() {
   if (model_.would_lose()) {
-    frame_->ask_leave(
-        model_.page() == LimbPage::kResult || model_.page() == LimbPage::kCheck
-            ? tr("The verdicts of %n sensor(s) are not saved yet.", nullptr, static_cast<int>(model_.outcomes().size()))
-            : tr("The pose that was held would not be used."));
+    frame_->ask_leave(model_.page() == LimbPage::kResult || model_.page() == LimbPage::kCheck
+                          ? tr("The verdicts of %1 are not saved yet.")
+                                .arg(counted_sensors(static_cast<int>(model_.outcomes().size())))
+                          : tr("The pose that was held would not be used."));
   } else {
     model_.cancel();
   }

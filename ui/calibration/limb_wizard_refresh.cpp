@@ -29,7 +29,9 @@ QString sentence(const Error& error) {
 
 VerdictRowContent limb_row(const LimbOutcome& outcome, const body::Rig& rig, bool live) {
   VerdictRowContent content;
-  content.title = sensor_title(rig, outcome.sensor);
+  const body::Accelerometer& accelerometer = rig.accelerometers.at(static_cast<std::size_t>(outcome.sensor));
+  content.title = QString::fromStdString(accelerometer.name);
+  content.serial = QString::fromStdString(accelerometer.serial);
   content.decision = outcome.decision;
   content.repeatable = live;
   if (!outcome.result) {
@@ -138,7 +140,7 @@ void LimbWizard::refresh_buttons() {
       frame_->set_back({}, false);
       break;
     case LimbPage::kResult:
-      frame_->set_next(tr("Save %n calibration(s)", nullptr, model_.accepted()), obstacle);
+      frame_->set_next(tr("Save %1").arg(counted_calibrations(model_.accepted())), obstacle);
       frame_->set_back({}, false);
       break;
     case LimbPage::kCheck:
@@ -176,7 +178,7 @@ void LimbWizard::refresh_results() {
     bad += !outcomes[i].result || outcomes[i].result->verdict == calibrate::Verdict::kRepeat ? 1 : 0;
   }
   const int count = static_cast<int>(outcomes.size());
-  summary_->setText(bad == 0       ? tr("%n sensor(s) calibrated", nullptr, count)
+  summary_->setText(bad == 0       ? tr("%1 calibrated").arg(counted_sensors(count))
                     : bad == count ? tr("Repeat")
                                    : tr("%1 of %2 calibrated, repeat the others").arg(count - bad).arg(count));
   QStringList findings;

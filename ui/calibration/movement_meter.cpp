@@ -44,6 +44,7 @@ std::vector<SensorMovement> MovementMeter::movements() const {
       count += 1.0;
       last_usable_s = frame.time_s;
     }
+    movements[i].heard = !frames_.empty();
     if (count > 0.0) {
       movements[i].movement_g = std::sqrt(std::max(0.0, squares / count - (sum / count).squaredNorm()));
       movements[i].has_signal = frames_.back().time_s - last_usable_s < 0.5;

@@ -125,10 +125,13 @@ void PosePicture::paintEvent(QPaintEvent*) {
   if (whole_figure_) {
     painter.setPen(QPen(theme.line, 2.0));
     painter.drawLine(QPointF(8, origin.y() + 1), QPointF(width() - 8, origin.y() + 1));
-    const QPointF knee(hip_.x() + 0.03, hip_.y() * 0.52);
+    const QPointF knee(hip_.x() + 0.012, hip_.y() * 0.52);
     const QPointF ankle(hip_.x() - 0.01, 0.07);
-    capsule(hip_, knee, 0.13, ghost);
-    capsule(knee, ankle, 0.10, ghost);
+    capsule(hip_, knee, 0.14, ghost);
+    capsule(knee, ankle, 0.105, ghost);
+    // The neck.
+    capsule(head_, head_ - 0.24 * (head_ - hip_) / std::hypot(head_.x() - hip_.x(), head_.y() - hip_.y()), 0.075,
+            ghost);
     capsule(ankle, QPointF(ankle.x() + 0.14, 0.045), 0.07, ghost);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ghost);

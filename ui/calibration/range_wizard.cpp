@@ -24,7 +24,9 @@ QLabel* paragraph(const QString& text, QWidget* parent) {
 
 VerdictRowContent range_row(const RangeOutcome& outcome, const body::Rig& rig, bool live) {
   VerdictRowContent content;
-  content.title = sensor_title(rig, outcome.sensor);
+  const body::Accelerometer& accelerometer = rig.accelerometers.at(static_cast<std::size_t>(outcome.sensor));
+  content.title = QString::fromStdString(accelerometer.name);
+  content.serial = QString::fromStdString(accelerometer.serial);
   content.decision = outcome.decision;
   content.repeatable = live;
   if (!outcome.result) {
@@ -36,11 +38,12 @@ VerdictRowContent range_row(const RangeOutcome& outcome, const body::Rig& rig, b
   const calibrate::RangeResult& result = *outcome.result;
   content.acceptable = true;
   content.state = {verdict_tone(result.verdict), verdict_word(result.verdict), format_mg(result.calibration.residual_g),
-                   RangeWizard::tr("RMS from 1 g, held out")};
+                   RangeWizard::tr("RMS off 1 g")};
   const bool ellipsoid = result.calibration.method == "ellipsoid";
-  content.text = RangeWizard::tr("Ellipsoid %1, extremes %2: %3 is used.")
-                     .arg(format_mg(result.ellipsoid.residual_g), format_mg(result.extremes.residual_g),
-                          ellipsoid ? RangeWizard::tr("the ellipsoid") : RangeWizard::tr("the extremes"));
+  content.text = ellipsoid ? RangeWizard::tr("Ellipsoid is better: %1 against %2 by extremes.")
+                                 .arg(format_mg(result.ellipsoid.residual_g), format_mg(result.extremes.residual_g))
+                           : RangeWizard::tr("Extremes are better: %1 against %2 by ellipsoid.")
+                                 .arg(format_mg(result.extremes.residual_g), format_mg(result.ellipsoid.residual_g));
   QStringList rest{RangeWizard::tr("%1 % of the sphere, %2 s steady")
                        .arg(qRound(100.0 * result.calibration.coverage))
                        .arg(result.steady_s, 0, 'f', 0)};
@@ -236,7 +239,7 @@ void RangeWizard::refresh_buttons() {
       frame_->set_back({}, false);
       break;
     case RangePage::kResult:
-      frame_->set_next(tr("Save %n calibration(s)", nullptr, model_.accepted()), obstacle);
+      frame_->set_next(tr("Save %1").arg(counted_calibrations(model_.accepted())), obstacle);
       frame_->set_back({}, false);
       break;
   }
@@ -272,7 +275,7 @@ void RangeWizard::refresh_results() {
     bad += !outcomes[i].result || outcomes[i].result->verdict == calibrate::Verdict::kRepeat ? 1 : 0;
   }
   const int count = static_cast<int>(outcomes.size());
-  summary_->setText(bad == 0       ? tr("%n sensor(s) calibrated", nullptr, count)
+  summary_->setText(bad == 0       ? tr("%1 calibrated").arg(counted_sensors(count))
                     : bad == count ? tr("Repeat")
                                    : tr("%1 of %2 calibrated, repeat the others").arg(count - bad).arg(count));
   refresh_buttons();
@@ -280,9 +283,10 @@ void RangeWizard::refresh_results() {
 
 void RangeWizard::leave() {
   if (model_.would_lose()) {
-    frame_->ask_leave(model_.page() == RangePage::kResult ? tr("The verdicts of %n sensor(s) are not saved yet.",
-                                                               nullptr, static_cast<int>(model_.outcomes().size()))
-                                                          : tr("What was turned until now would not be used."));
+    frame_->ask_leave(model_.page() == RangePage::kResult
+                          ? tr("The verdicts of %1 are not saved yet.")
+                                .arg(counted_sensors(static_cast<int>(model_.outcomes().size())))
+                          : tr("What was turned until now would not be used."));
   } else {
     model_.cancel();
   }

@@ -122,6 +122,12 @@ void SensorCube::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const ThemeColors& theme = theme_colors(palette());
+  if (wanted_S_) {
+    // Where the arrow's head should come to.
+    painter.setPen(QPen(theme.accent, 1.5, Qt::DotLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(place(1.9 * Vector3d::UnitZ()), 12.0, 6.0);
+  }
   const bool behind = wanted_S_ && seen(R_WS_ * wanted_S_->normalized()).y() > 0.0;
   const auto wanted_arrow = [&] {
     if (wanted_S_) {

@@ -17,6 +17,7 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
     : QFrame(parent),
       sensor_(sensor),
       title_(new QLabel(this)),
+      serial_(dim_label({}, this)),
       badge_(new VerdictBadge(this)),
       map_(new SphereMap(true, this)),
       text_(new QLabel(this)),
@@ -30,10 +31,17 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   layout->setContentsMargins(2 * kGrid, kGrid + 4, 2 * kGrid, kGrid + 4);
   layout->setSpacing(2 * kGrid);
   title_->setStyleSheet(QStringLiteral("font-size: 16px;"));
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  auto* names = new QWidget(this);
+  names->setFixedWidth(12 * kGrid);
+  auto* names_layout = new QVBoxLayout(names);
+  names_layout->setContentsMargins(0, 0, 0, 0);
+  names_layout->setSpacing(2);
   title_->setWordWrap(true);
-  title_->setFixedWidth(17 * kGrid);
-  layout->addWidget(title_);
-  badge_->setFixedWidth(19 * kGrid);
+  names_layout->addWidget(title_);
+  names_layout->addWidget(serial_);
+  layout->addWidget(names);
+  badge_->setFixedWidth(17 * kGrid);
   layout->addWidget(badge_);
   map_->setVisible(with_map);
   layout->addWidget(map_);
@@ -49,11 +57,11 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   layout->addLayout(words, 1);
   accept_->setObjectName(QStringLiteral("accept_%1").arg(sensor));
   accept_->setCheckable(true);
-  accept_->setMinimumWidth(13 * kGrid);
+  accept_->setMinimumWidth(11 * kGrid);
   repeat_->setObjectName(QStringLiteral("repeat_%1").arg(sensor));
   discard_->setObjectName(QStringLiteral("discard_%1").arg(sensor));
   discard_->setCheckable(true);
-  discard_->setMinimumWidth(12 * kGrid);
+  discard_->setMinimumWidth(11 * kGrid);
   layout->addWidget(accept_);
   layout->addWidget(repeat_);
   layout->addWidget(discard_);
@@ -64,6 +72,8 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
 
 void VerdictRow::set_content(const VerdictRowContent& content) {
   title_->setText(content.title);
+  serial_->setText(content.serial);
+  serial_->setVisible(!content.serial.isEmpty());
   badge_->set_state(content.state);
   text_->setText(content.text);
   comparison_->setText(content.comparison);

@@ -12,7 +12,7 @@
 namespace limbwave::ui {
 
 struct VerdictRowContent {
-  QString title;
+  QString title, serial;
   CalibrationState state;
   QString text;        ///< The reason.
   QString comparison;  ///< Other numbers: both methods, the attempt before.
@@ -38,6 +38,7 @@ class VerdictRow : public QFrame {
  private:
   int sensor_;
   QLabel* title_;
+  QLabel* serial_;
   VerdictBadge* badge_;
   SphereMap* map_;
   QLabel* text_;

@@ -116,7 +116,11 @@ void CalibrateHistory::add_entry(const CalibrationState& state, bool in_use, std
   auto* badge = new VerdictBadge(row);
   badge->setMinimumWidth(1);
   badge->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  badge->set_state(state);
+  // The place is narrow: method and date on the badge's second line, the date alone where that is long.
+  CalibrationState brief = state;
+  brief.detail = state.detail.section(QStringLiteral(", "), -1);
+  badge->set_state(brief);
+  badge->setToolTip(state.detail);
   badge->setFixedHeight(44);
   layout->addWidget(badge, 1);
   if (in_use) {

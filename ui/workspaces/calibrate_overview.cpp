@@ -78,6 +78,7 @@ SensorRow::SensorRow(int sensor, QWidget* parent)
   setProperty("card", true);
   setObjectName(QStringLiteral("row_%1").arg(sensor));
   setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   setCursor(Qt::PointingHandCursor);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);

@@ -142,8 +142,8 @@ void CalibrateWorkspace::limb_from_this_take(int group) {
 
 void CalibrateWorkspace::tell_saved(int count, const QString& what) {
   const QString where = desk_->recording_folder().empty() ? QString() : desk_->recording_note();
-  context_.notifications().post(Severity::kInfo,
-                                tr("%1 of %n sensor(s) is saved and in use.", nullptr, count).arg(what), where);
+  context_.notifications().post(Severity::kInfo, tr("%1 of %2 is saved and in use.").arg(what, counted_sensors(count)),
+                                where);
 }
 
 WorkspaceEntry calibrate_entry() {
