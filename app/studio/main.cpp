@@ -6,11 +6,13 @@
 #include <QLocale>
 #include <QTimer>
 #include <QTranslator>
+#include <cstdio>
 
 #include "base/files.h"
 #include "common/core_services.h"
 #include "common/studio_context.h"
 #include "common/theme.h"
+#include "pictures.h"
 #include "workspaces/main_window.h"
 #include "workspaces/take_actions.h"
 #include "workspaces/workspace.h"
@@ -49,13 +51,31 @@ int main(int argc, char** argv) {
                                 QApplication::translate("main", "Open a demo take of the simulator."));
   const QCommandLineOption theme(QStringLiteral("theme"), QApplication::translate("main", "Colours: dark or light."),
                                  QStringLiteral("dark|light"));
-  parser.addOptions({demo, theme});
+  const QCommandLineOption pictures(
+      QStringLiteral("pictures"),
+      QApplication::translate("main", "Write pictures of the solved TAKE into this folder and end; needs no display."),
+      QStringLiteral("folder"));
+  parser.addOptions({demo, theme, pictures});
   parser.addPositionalArgument(QStringLiteral("TAKE"),
                                QApplication::translate("main", "Take folder to open, or recordings to import."),
                                QStringLiteral("[TAKE]"));
   parser.process(application);
+  const QStringList arguments = parser.positionalArguments();
 
-  limbwave::ui::StudioContext context(limbwave::ui::core_services(), QString::fromStdString(limbwave::user_data_folder().string()));
+  if (parser.isSet(pictures)) {
+    const limbwave::Status written =
+        arguments.size() == 1
+            ? limbwave::studio::write_pictures(parser.value(pictures).toStdString(), arguments.first().toStdString())
+            : limbwave::Status(limbwave::Error{"--pictures needs one TAKE", "", ""});
+    if (!written) {
+      std::fprintf(stderr, "limbwave-studio: %s\n", written.error().text().c_str());
+      return 1;
+    }
+    return 0;
+  }
+
+  limbwave::ui::StudioContext context(limbwave::ui::core_services(),
+                                      QString::fromStdString(limbwave::user_data_folder().string()));
   QString colours = parser.value(theme);
   if (colours.isEmpty()) {
     colours = context.settings().value(QStringLiteral("theme")).toString();
@@ -65,7 +85,6 @@ int main(int argc, char** argv) {
   limbwave::ui::MainWindow window(context, limbwave::ui::studio_parts());
   window.show();
 
-  const QStringList arguments = parser.positionalArguments();
   QTimer::singleShot(0, &window, [&] {
     if (parser.isSet(demo)) {
       const auto motions =

@@ -47,8 +47,10 @@ AlsaOffer probe_alsa(const std::string& pcm_name, int channels, const std::vecto
     unsigned most = 0;
     snd_pcm_hw_params_get_channels_max(parameters, &most);
     offer.channels = static_cast<int>(most);
+    // Large interfaces have all their channels or none; PortAudio then picks the first ones.
     offer.answered =
-        snd_pcm_hw_params_set_channels(pcm, parameters, static_cast<unsigned>(channels)) == 0 && offer.channels > 0;
+        offer.channels > 0 && (snd_pcm_hw_params_set_channels(pcm, parameters, static_cast<unsigned>(channels)) == 0 ||
+                               snd_pcm_hw_params_set_channels(pcm, parameters, most) == 0);
     // A card's own rates, not those that ALSA's plugins would resample to; it makes no difference for sound servers.
     snd_pcm_hw_params_set_rate_resample(pcm, parameters, 0);
     for (const double rate : rates_hz) {

@@ -119,9 +119,9 @@ json mount_calibration_to_json(const MountCalibration& mount) {
           {"stillness_g", mount.stillness_g}};
 }
 
-Result<RigCalibration> calibration_from_json(const json& document, const std::string& place) {
+Result<RigCalibration> calibration_from_json(const nlohmann::json& json, const std::string& place) {
   JsonReader::State state{place, {}};
-  const JsonReader reader(document, "", state);
+  const JsonReader reader(json, "", state);
   reader.allow({"sensors", "mounts"});
   RigCalibration calibration;
   for (const JsonReader& sensor : reader.at("sensors").items()) {

@@ -94,9 +94,9 @@ class LimbCalibrator {
   /// were held in the wrong order; a sensor that alone is bad gets the verdict kRepeat instead.
   [[nodiscard]] Result<LimbResult> finish(const std::string& date = "") const;
 
-  /// Holds a pose again, after a calibration: how far every sensor's gravity is from where it should be.
+  /// Holds pose `index` again, after a calibration: how far every sensor's gravity is from where it should be.
   /// `calibration` has the mountings; fails when there is no still second.
-  [[nodiscard]] Result<std::vector<PoseCheck>> check(int pose, const RigCalibration& calibration) const;
+  [[nodiscard]] Result<std::vector<PoseCheck>> check(int index, const RigCalibration& calibration) const;
 
  private:
   [[nodiscard]] const body::LimbPose& pose(int index) const;

@@ -71,7 +71,7 @@ class RangeCalibrator {
   void consume(const std::vector<SteadySample>& samples);
   [[nodiscard]] Status check_signal(const std::vector<RangeObservation>& steady, Diagnostics& diagnostics) const;
   [[nodiscard]] Status check_axes(const std::vector<RangeObservation>& steady) const;
-  [[nodiscard]] Status check_gain(const std::vector<RangeObservation>& thinned, const EllipsoidFit& fit) const;
+  [[nodiscard]] Status check_gain(const std::vector<RangeObservation>& few, const EllipsoidFit& fit) const;
   [[nodiscard]] Error refuse(const std::string& message, const std::string& remedy) const;
   [[nodiscard]] SensorCalibration in_volts(const RangeModel& model, const char* method) const;
 

@@ -15,8 +15,7 @@ constexpr int kShortestRun = 3;
 bool stays_at_full_scale(const float* samples, int count) {
   int run = 0;
   for (int i = 0; i < count; ++i) {
-    const float magnitude = std::fabs(samples[i]);
-    run = magnitude >= kFullScale && magnitude <= kBeyond ? run + 1 : 0;
+    run = std::fabs(samples[i]) >= kFullScale ? run + 1 : 0;
     if (run == kShortestRun) {
       return true;
     }
@@ -35,7 +34,8 @@ class Walk {
     const WindowSums sums = sum_window(window, channel_.at(from));
     const LevelReading reading{static_cast<double>(from) + window.centre(), sums.mean, sum_ + sums.integral, sums.slope,
                                sums.variance};
-    clipped_ = sums.largest >= kFullScale && stays_at_full_scale(channel_.at(from), window.length);
+    clipped_ =
+        sums.largest >= kFullScale && sums.largest <= kBeyond && stays_at_full_scale(channel_.at(from), window.length);
     own_integral_ = sums.integral;
     sum_ += sums.sum;
     at_ = from + window.length;

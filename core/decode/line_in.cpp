@@ -28,6 +28,7 @@ constexpr double kCouplingMemory_s = 60.0;
 constexpr double kEdgeThreshold = 0.25;  // of the counter's swing
 constexpr double kOnTime = 0.02;         // of half a cycle: an edge that close to its time is an expected one
 constexpr double kSkipped = 0.75;        // of half a cycle after it holds no other edge
+constexpr double kRestless = 0.003;      // of the counter's swing: more scatter within the reference slot is no noise
 constexpr int kToldEach = 5;             // findings of a kind before they are only counted
 constexpr std::size_t kChunk = 4096;     // frames handled at once: stays in the cache
 
@@ -294,15 +295,19 @@ void LineInDecoder::Impl::decode_cycle(const CycleBounds& bounds) {
     }
   }
   const CycleMeasurement measured = meter.measure(bounds, data_view(), counter_view());
-  const SwingTracker::Reading gain = swing.step(measured, coupling.counter());
-  if (gain.moved || !gain.usable || !was_usable) {
+  SwingTracker::Reading gain = swing.step(measured, coupling.counter());
+  // The reference does not move: when it seems to, the gain or a plug did.
+  const double restless = std::sqrt(measured.slots[static_cast<std::size_t>(format.slots - 1)].variance);
+  gain.usable = gain.usable && restless < std::max(6.0 * noise, kRestless * gain.swing);
+  if (!gain.usable || !was_usable) {
     reference.restart();  // levels before and after a change of gain are not comparable
     coupling.unlink();
   }
   const DecayRegression::Estimate estimate = data_coupling();
-  const auto line = reference.step(measured, format.slots, estimate, noise);
+  const auto line = reference.step(measured, format.slots, estimate, noise, kRestless * gain.swing);
+  gain.usable = gain.usable && !line.jumped;
   const auto levels = relative_levels(measured, line, estimate.kappa, format.slots);
-  if (bounds.start >= static_cast<double>(judged_until) && gain.usable) {
+  if (bounds.start >= static_cast<double>(judged_until) && gain.usable && !gain.moved) {
     coupling.add(measured, levels, format.slots);
   }
 

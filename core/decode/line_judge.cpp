@@ -102,7 +102,7 @@ Survey survey_cycles(const CounterSearch& search, bool inverted, const ChannelVi
       const CycleMeasurement cycle = meter.measure(*bounds, data, counter);
       // Noise is not known yet: zero makes the filter go through every reference, which suits a first look.
       const auto levels =
-          relative_levels(cycle, reference.step(cycle, format.slots, data_coupling, 0.0), kappa, format.slots);
+          relative_levels(cycle, reference.step(cycle, format.slots, data_coupling, 0.0, 1e9), kappa, format.slots);
       coupling.add(cycle, levels, format.slots);
       if (final_pass) {
         ++survey.cycles;

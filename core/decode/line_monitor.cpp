@@ -85,17 +85,15 @@ void LineMonitor::watch_clipping(const LineInCycle& cycle, bool counter_clipped,
 
 void LineMonitor::watch_gain(const LineInCycle& cycle, const SwingTracker::Reading& swing, double time_s) {
   const bool disturbed = swing.moved || !swing.usable || swing.fallback;
-  if (cycle.gap_before) {
-    recent_.clear();
-    changing_ = false;
-  }
-  if (disturbed) {
+  if (disturbed || cycle.gap_before) {
     if (!changing_ && !recent_.empty()) {
       changing_ = true;
       change_s_ = time_s;
       before_ = recent_.back();
     }
     recent_.clear();
+  }
+  if (disturbed) {
     return;
   }
   if (!cycle.valid || cycle.clipped != 0) {
@@ -107,22 +105,7 @@ void LineMonitor::watch_gain(const LineInCycle& cycle, const SwingTracker::Readi
       return;
     }
     changing_ = false;
-    const double factor = swing.swing / before_.swing;
-    if (std::fabs(factor - 1.0) > kSmallestGainChange) {
-      const Proportion levels = compare(before_.volts, recent_.front().volts, format_.slots);
-      // The levels in volts stand still when both channels changed alike.
-      if (std::fabs(levels.factor * factor - 1.0) < 0.4 * std::fabs(factor - 1.0) && levels.unexplained < 0.3) {
-        log_->add({Severity::kWarning, "line-in.balance-changed",
-                   fmt::format("the counter channel changed by a factor of {:.3f}, the sensor channel did not", factor),
-                   "Set the balance back to where it was, or repeat the range calibration", "", change_s_});
-      } else {
-        log_->add({Severity::kWarning, "line-in.level-changed",
-                   fmt::format("the input level changed by a factor of {:.3f}; values are scaled back by the counter's "
-                               "swing",
-                               factor),
-                   "Leave the volume knob alone while recording; check this part of the take", "", change_s_});
-      }
-    }
+    judge_change(before_, recent_.front());
   } else if (recent_.size() >= 5 + kConfirm) {
     // Only the sensor channel: all levels jump by one factor between two cycles and stay there.
     const std::size_t middle = recent_.size() - kConfirm;
@@ -132,16 +115,42 @@ void LineMonitor::watch_gain(const LineInCycle& cycle, const SwingTracker::Readi
       const Proportion earlier = compare(recent_[middle - 5].volts, recent_[middle - 2].volts, format_.slots);
       if (std::fabs(later.factor / jump.factor - 1.0) < 0.2 * std::fabs(jump.factor - 1.0) &&
           std::fabs(earlier.factor - 1.0) < 0.2 * std::fabs(jump.factor - 1.0)) {
-        log_->add(
-            {Severity::kWarning, "line-in.balance-changed",
-             fmt::format("the sensor channel changed by a factor of {:.3f}, the counter channel did not", jump.factor),
-             "Set the balance back to where it was, or repeat the range calibration", "", recent_[middle - 1].time_s});
+        tell_sensor_channel_changed(jump.factor, recent_[middle - 1].time_s);
         recent_.erase(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(middle + 1));
       }
     }
   }
   while (recent_.size() > 5 + kConfirm) {
     recent_.pop_front();
+  }
+}
+
+void LineMonitor::tell_sensor_channel_changed(double factor, double time_s) {
+  log_->add({Severity::kWarning, "line-in.balance-changed",
+             fmt::format("the sensor channel changed by a factor of {:.3f}, the counter channel did not", factor),
+             "Set the balance back to where it was, or repeat the range calibration", "", time_s});
+}
+
+void LineMonitor::judge_change(const Sample& before, const Sample& after) {
+  const double factor = after.swing / before.swing;
+  const Proportion levels = compare(before.volts, after.volts, format_.slots);
+  if (std::fabs(factor - 1.0) <= kSmallestGainChange) {
+    // The counter is as it was. All levels changed by one factor, and quickly: only the sensor channel did.
+    if (std::fabs(levels.factor - 1.0) > kSmallestJump && levels.unexplained < 0.15 &&
+        after.time_s - before.time_s < 0.2) {
+      tell_sensor_channel_changed(levels.factor, change_s_);
+    }
+  } else if (std::fabs(levels.factor * factor - 1.0) < 0.4 * std::fabs(factor - 1.0) && levels.unexplained < 0.3) {
+    // The levels in volts stand still when both channels changed alike; here those in the signal did.
+    log_->add({Severity::kWarning, "line-in.balance-changed",
+               fmt::format("the counter channel changed by a factor of {:.3f}, the sensor channel did not", factor),
+               "Set the balance back to where it was, or repeat the range calibration", "", change_s_});
+  } else {
+    log_->add({Severity::kWarning, "line-in.level-changed",
+               fmt::format("the input level changed by a factor of {:.3f}; values are scaled back by the counter's "
+                           "swing",
+                           factor),
+               "Leave the volume knob alone while recording; check this part of the take", "", change_s_});
   }
 }
 

@@ -30,6 +30,8 @@ class LineMonitor {
   };
   void watch_clipping(const LineInCycle& cycle, bool counter_clipped, double time_s);
   void watch_gain(const LineInCycle& cycle, const SwingTracker::Reading& swing, double time_s);
+  void judge_change(const Sample& before, const Sample& after);
+  void tell_sensor_channel_changed(double factor, double time_s);
   [[nodiscard]] std::string slot_name(int slot) const;
 
   LineInFormat format_;

@@ -8,12 +8,13 @@ namespace {
 
 constexpr double kDriftChange = 1e-6;     // RMS change of the drift per cycle, fraction of full scale per cycle
 constexpr double kInnovationGain = 0.03;  // memory of about half a second
+constexpr double kJump = 10.0;            // standard deviations
 constexpr double kSmallestVariance = 1e-18;
 
 }  // namespace
 
 ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int slots,
-                                            const DecayRegression::Estimate& coupling, double noise) {
+                                            const DecayRegression::Estimate& coupling, double noise, double tolerated) {
   const double kappa = coupling.kappa;
   const LevelReading& reference = cycle.slots[static_cast<std::size_t>(slots - 1)];
   const double measured_variance = noise * noise * cycle.data_noise_gain + kSmallestVariance;
@@ -28,7 +29,7 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
     p00_ = measured_variance;
     p01_ = 0.0;
     innovation_ = 0.0;
-    return {reference.mean + kappa * reference.integral, reference.centre, drift_ / cycle.period()};
+    return {reference.mean + kappa * reference.integral, reference.centre, drift_ / cycle.period(), false};
   }
   // Predict: level⁻ = level − κ ∫ + drift.
   const double wander = kappa * noise;
@@ -40,6 +41,12 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
   // What innovations show beyond the model (hum, a second coupling stage) is taken for movement of the level.
   const double innovation = reference.mean - level;
   q00 += std::max(0.0, innovation_ - q00 - measured_variance);
+  if (std::fabs(innovation) > std::max(tolerated, kJump * std::sqrt(q00 + measured_variance))) {
+    known_ = false;
+    Line line = step(cycle, slots, coupling, noise, tolerated);
+    line.jumped = true;
+    return line;
+  }
   innovation_ += kInnovationGain * (innovation * innovation - innovation_);
 
   // Update.
@@ -64,7 +71,7 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
   p01_ = (1.0 - gain0) * q01;
   p11_ = q11 - gain1 * q01;
 
-  Line line{level_ + kappa * reference.integral, reference.centre, 0.0};
+  Line line{level_ + kappa * reference.integral, reference.centre, 0.0, false};
   line.slope = (line.level - previous) / (reference.centre - cycle.previous_reference.centre);
   return line;
 }

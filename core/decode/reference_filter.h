@@ -17,12 +17,15 @@ class ReferenceFilter {
     double level = 0.0;
     double instant = 0.0;
     double slope = 0.0;
+    bool jumped = false;  ///< The level is not where it must be: something happened to the line since the last one.
     [[nodiscard]] double at(double sample) const { return level + slope * (sample - instant); }
   };
   /// The level before the next cycle is not known; the drift still is.
   void restart() { known_ = false; }
-  /// `slots` of the board, the last is the reference. `noise` is the RMS of a sample.
-  Line step(const CycleMeasurement& cycle, int slots, const DecayRegression::Estimate& coupling, double noise);
+  /// `slots` of the board, the last is the reference. `noise` is the RMS of a sample. A surprise below `tolerated`
+  /// (fraction of full scale) is never taken for a jump.
+  Line step(const CycleMeasurement& cycle, int slots, const DecayRegression::Estimate& coupling, double noise,
+            double tolerated);
 
  private:
   bool known_ = false, drift_known_ = false;

@@ -6,9 +6,9 @@
 namespace limbwave::decode {
 namespace {
 
-constexpr int kMemory = 60;          // cycles
-constexpr double kSteady = 0.002;    // relative; smaller changes are averaged
-constexpr double kTolerable = 0.02;  // relative change from cycle to cycle that may lie within one
+constexpr int kMemory = 60;           // cycles
+constexpr double kSteady = 0.002;     // relative; smaller changes are averaged
+constexpr double kTolerable = 0.003;  // relative change from cycle to cycle: one per cent is a degree of inclination
 
 }  // namespace
 
@@ -17,7 +17,6 @@ SwingTracker::Reading SwingTracker::step(const CycleMeasurement& cycle, const De
   if (cycle.counter_clipped) {
     reading.fallback = true;
     reading.swing = mean_;
-    unsettled_ = true;
     return reading;
   }
   // Flattened levels: x = y + κ ∫ (y − c).
@@ -28,34 +27,35 @@ SwingTracker::Reading SwingTracker::step(const CycleMeasurement& cycle, const De
   if (residual_ == 0.0) {
     residual_ = residual;
   }
-  if (!(swing > 0.0) || residual > std::max(5.0 * residual_, 0.003 * swing)) {
+  const bool disturbed = !(swing > 0.0) || residual > std::max(5.0 * residual_, 0.003 * swing);
+  // What noise alone makes of a swing: two means of about 0.36 periods.
+  const double noise = residual_ * std::sqrt(2.0 / (0.36 * cycle.period())) / std::max(swing, 1e-12);
+  const double spread = 8.0 * std::max(noise, std::sqrt(scatter_));
+  const bool steady = last_ <= 0.0 || std::fabs(swing / last_ - 1.0) < std::max(spread, kTolerable);
+  // Second differences tell noise and hum from a knob that is being turned.
+  if (before_last_ > 0.0 && swing > 0.0) {
+    const double bend = std::clamp((swing - 2.0 * last_ + before_last_) / swing, -0.01, 0.01);
+    scatter_ += (bend * bend / 6.0 - scatter_) / kMemory;
+  }
+  before_last_ = last_;
+  last_ = swing;
+  if (disturbed) {
     // Something moved within a half: a knob, a click, a lost sample.
     reading.usable = false;
     reading.swing = mean_;
-    unsettled_ = true;
     return reading;
   }
   residual_ += (residual - residual_) / kMemory;
-
-  // What noise alone makes of a swing: two means of about 0.36 periods.
-  const double noise = residual_ * std::sqrt(2.0 / (0.36 * cycle.period())) / swing;
-  const double change = mean_ > 0.0 ? std::fabs(swing / mean_ - 1.0) : 1.0;
-  const double relative = last_ > 0.0 ? std::clamp(swing / last_ - 1.0, -kTolerable, kTolerable) : 0.0;
-  if (!known_ || change > std::max({8.0 * std::sqrt(scatter_), 8.0 * noise, kSteady})) {
-    reading.moved = known_;
-    // Seen here for the first time it may have happened between the halves of this cycle.
-    reading.usable = !known_ || unsettled_ || change < kTolerable;
-    mean_ = swing;
-    count_ = 1;
-    unsettled_ = true;
-  } else {
+  reading.usable = steady;
+  if (known_ && std::fabs(swing / mean_ - 1.0) < std::max(spread, kSteady)) {
     count_ = std::min(count_ + 1, kMemory);
     mean_ += (swing - mean_) / count_;
-    unsettled_ = false;
+  } else {
+    reading.moved = known_;
+    mean_ = swing;
+    count_ = 0;  // this cycle may hold both gains: the next one starts the mean
   }
-  scatter_ += (0.5 * relative * relative - scatter_) / kMemory;
   known_ = true;
-  last_ = swing;
   reading.swing = mean_;
   return reading;
 }

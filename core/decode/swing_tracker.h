@@ -25,12 +25,12 @@ class SwingTracker {
  private:
   double mean_;
   double sign_;
-  int count_ = 0;           // cycles in the mean
-  double last_ = 0.0;       // the last cycle's own swing
-  double scatter_ = 0.0;    // running mean square of its change, relative
-  double residual_ = 0.0;   // running RMS within the halves
-  bool unsettled_ = false;  // the last cycle was disturbed or moved
-  bool known_ = false;      // an unclipped swing was seen
+  int count_ = 0;      // cycles in the mean
+  double last_ = 0.0;  // the last cycle's own swing
+  double before_last_ = 0.0;
+  double scatter_ = 0.0;   // running variance of the swings, relative
+  double residual_ = 0.0;  // running RMS within the halves
+  bool known_ = false;     // an unclipped swing was seen
 };
 
 }  // namespace limbwave::decode

@@ -44,7 +44,6 @@ constexpr double kStudent = 4.0;
 
 constexpr int kTilt = 0;
 constexpr int kRate = 1;
-constexpr int kVelocity = 2;
 constexpr int kAcceleration = 3;
 
 Matrix3d acceleration_dynamics() {

@@ -6,9 +6,8 @@
 #include "estimate/deviation.h"
 #include "estimate/inclination.h"
 #include "estimate/inclination_filter.h"
-#include "estimate/inclination_tracker.h"
+#include "estimate/inclination_parts.h"
 #include "estimate/lever_bank.h"
-#include "geometry/so3.h"
 
 namespace limbwave::estimate {
 namespace {
@@ -17,10 +16,6 @@ namespace {
 // reaches; a whole hour would take gigabytes.
 constexpr std::size_t kChunk = 4096;
 constexpr std::size_t kAhead = 600;
-
-double usable_trust(const ForceSample& sample, const InclinationParameters& parameters) {
-  return sample.usable ? trust_of(sample.f_L, parameters) : 0.0;
-}
 
 // What is known of the limb's acceleration at every sample, looking to both sides.
 struct Surroundings {
@@ -68,19 +63,6 @@ std::vector<Inclination> adaptive(std::span<const ForceSample> samples, const In
   return result;
 }
 
-Inclination inclination_of(const InclinationFilter::State& state, const ForceSample& sample, double deviation,
-                           const InclinationParameters& parameters) {
-  Inclination inclination;
-  inclination.time_s = sample.time_s;
-  inclination.up_L = InclinationFilter::up_L(state).normalized();
-  inclination.trust = usable_trust(sample, parameters);
-  inclination.known = true;
-  // What the free deviation let pass may also lie across gravity.
-  const double let_pass = std::min(deviation, parameters.free_deviation) / kStandardGravity;
-  inclination.sd_rad = std::hypot(InclinationFilter::direction_sd(state), let_pass);
-  return inclination;
-}
-
 // One filter forward, then backward.
 struct Pass {
   std::vector<Inclination> inclinations;
@@ -121,30 +103,11 @@ Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& aro
   return pass;
 }
 
-// The mean of the levers' directions, and the spread of it and of each.
-Inclination mixed(std::span<const Inclination> each, const Logs& weights) {
-  Inclination mean = each.front();
-  Vector3d direction = Vector3d::Zero();
-  for (std::size_t k = 0; k < each.size(); ++k) {
-    direction += weights[k] * each[k].up_L;
-  }
-  if (!mean.known || !(direction.norm() > 1e-6)) {
-    return mean;
-  }
-  mean.up_L = direction.normalized();
-  double variance = 0.0;
-  for (std::size_t k = 0; k < each.size(); ++k) {
-    const double away = geometry::angle_between(each[k].up_L, mean.up_L);
-    variance += weights[k] * (each[k].sd_rad * each[k].sd_rad + 0.5 * away * away);
-  }
-  mean.sd_rad = std::sqrt(variance);
-  return mean;
-}
-
 std::vector<Inclination> bridging(std::span<const ForceSample> samples, const InclinationParameters& parameters) {
   const Surroundings around = surroundings_of(samples, parameters);
   std::vector<Pass> passes;
   std::vector<AccelerationStep> steps;
+  steps.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     steps.push_back(acceleration_step(i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s));
   }
@@ -178,21 +141,6 @@ std::vector<Inclination> bridging(std::span<const ForceSample> samples, const In
     add_faded(sum, logs_at(i), i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s);
   }
   return result;
-}
-
-Inclination raw_inclination(const ForceSample& sample, const Inclination& last, double deviation, double noise,
-                            const InclinationParameters& parameters) {
-  Inclination inclination = last;
-  inclination.time_s = sample.time_s;
-  inclination.trust = usable_trust(sample, parameters);
-  if (sample.usable && sample.f_L.norm() > 1e-3) {
-    inclination.up_L = sample.f_L.normalized();
-    inclination.sd_rad = (acceleration_sd(deviation, noise, parameters) +
-                          std::hypot(std::min(deviation, parameters.free_deviation), noise)) /
-                         kStandardGravity;
-    inclination.known = true;
-  }
-  return inclination;
 }
 
 }  // namespace
@@ -239,92 +187,6 @@ std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samp
     all.push_back(result[index]);
   }
   return all;
-}
-
-struct InclinationTracker::Impl {
-  Impl(Smoothing smoothing_, const InclinationParameters& parameters_)
-      : smoothing(smoothing_),
-        parameters(parameters_),
-        noise(parameters_.sensor_noise),
-        recent(parameters_.burst_s),
-        adaptive_filter(parameters_) {
-    for (const double lever : kLevers) {
-      bridging_filters.emplace_back(parameters_, lever);
-    }
-  }
-
-  Smoothing smoothing;
-  InclinationParameters parameters;
-  NoiseFloor noise;
-  RecentSamples recent;
-  AdaptiveFilter adaptive_filter;
-  std::vector<InclinationFilter> bridging_filters;
-  Logs evidence{};
-  Inclination last;
-  bool any = false;
-};
-
-InclinationTracker::InclinationTracker(Smoothing smoothing, const InclinationParameters& parameters)
-    : impl_(std::make_unique<Impl>(smoothing, parameters)) {}
-InclinationTracker::~InclinationTracker() = default;
-InclinationTracker::InclinationTracker(const InclinationTracker& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
-InclinationTracker& InclinationTracker::operator=(const InclinationTracker& other) {
-  *impl_ = *other.impl_;
-  return *this;
-}
-InclinationTracker::InclinationTracker(InclinationTracker&&) noexcept = default;
-InclinationTracker& InclinationTracker::operator=(InclinationTracker&&) noexcept = default;
-
-Inclination InclinationTracker::push(const ForceSample& given) {
-  Impl& my = *impl_;
-  if (!std::isfinite(given.time_s) || (my.any && given.time_s <= my.last.time_s)) {
-    return my.last;
-  }
-  ForceSample sample = given;
-  sample.usable = given.usable && given.f_L.allFinite();
-  const double dt = my.any ? sample.time_s - my.last.time_s : 0.0;
-  my.any = true;
-  my.noise.push(sample);
-  my.recent.push(sample);
-  const double deviation = my.recent.deviation();
-  const double noise = my.noise.noise();
-  const double acceleration = acceleration_sd(deviation, noise, my.parameters);
-  switch (my.smoothing) {
-    case Smoothing::kNone:
-      my.last = raw_inclination(sample, my.last, deviation, noise, my.parameters);
-      break;
-    case Smoothing::kAdaptive: {
-      const AdaptiveFilter::Sum& sum = my.adaptive_filter.step(sample, dt, acceleration, noise);
-      my.last.time_s = sample.time_s;
-      my.last.trust = usable_trust(sample, my.parameters);
-      if (sum.weight > 0.0 && sum.direction.norm() > 0.0) {
-        my.last.up_L = sum.direction.normalized();
-        my.last.sd_rad = std::hypot(std::sqrt(1.0 / sum.weight), acceleration / kStandardGravity * 0.7);
-        my.last.known = true;
-      }
-      break;
-    }
-    case Smoothing::kBridging: {
-      std::vector<Inclination> each;
-      Logs logs{};
-      const AccelerationStep step = acceleration_step(dt);
-      for (std::size_t k = 0; k < my.bridging_filters.size(); ++k) {
-        InclinationFilter& filter = my.bridging_filters[k];
-        filter.step(sample, step, acceleration, noise);
-        logs[k] = filter.log_likelihood();
-        if (filter.started()) {
-          each.push_back(inclination_of(filter.record().updated, sample, deviation, my.parameters));
-        }
-      }
-      add_faded(my.evidence, logs, dt);
-      my.last.time_s = sample.time_s;
-      if (!each.empty()) {
-        my.last = mixed(each, weights_of(my.evidence));
-      }
-      break;
-    }
-  }
-  return my.last;
 }
 
 }  // namespace limbwave::estimate

@@ -18,7 +18,7 @@ class InclinationTracker {
   InclinationTracker& operator=(InclinationTracker&&) noexcept;
 
   /// Times must increase; another sample changes nothing and gives the last result again.
-  Inclination push(const ForceSample& sample);
+  Inclination push(const ForceSample& given);
 
  private:
   struct Impl;

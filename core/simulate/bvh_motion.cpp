@@ -16,7 +16,10 @@
 namespace limbwave::simulate {
 namespace {
 
-constexpr double kPassHz = 10.0;
+constexpr double kPassHz = 6.0;               // flat to here, closed from twice of it
+constexpr double kFastestTurn = 40.0;         // rad/s; no limb turns faster
+constexpr double kFastestMove = 12.0;         // m/s
+constexpr std::size_t kArtificialStart = 12;  // frames
 
 // What the joints of a right arm are called, in order of preference, letters and digits only.
 struct UsualNames {
@@ -158,9 +161,9 @@ std::vector<Link> link_segments(const body::Skeleton& skeleton, const body::Skel
   return links;
 }
 
-// A frame that agrees with neither neighbour, while the neighbours agree with each other, is a fault of the file. So is
-// a step from one frame to the next in the middle of slow motion (a flipped solution): it becomes a quick turn.
-void remove_faults(std::vector<Quaterniond>& R, double rate_hz) {
+// A single frame that agrees with neither neighbour, while the neighbours agree with each other, is a fault of the
+// file.
+void remove_spikes(std::vector<Quaterniond>& R) {
   const auto angle = [&](std::size_t a, std::size_t b) { return geometry::geodesic_angle(R[a], R[b]); };
   for (std::size_t i = 1; i + 1 < R.size(); ++i) {
     const double away = std::min(angle(i - 1, i), angle(i, i + 1));
@@ -168,24 +171,46 @@ void remove_faults(std::vector<Quaterniond>& R, double rate_hz) {
       R[i] = R[i - 1].slerp(0.5, R[i + 1]);
     }
   }
-  const auto half = static_cast<std::size_t>(std::ceil(0.1 * rate_hz));
-  for (std::size_t i = half + 1; i + half + 2 < R.size(); ++i) {
-    if (angle(i, i + 1) > radians(25.0) && angle(i, i + 1) > 4.0 * std::max(angle(i - 1, i), angle(i + 1, i + 2))) {
-      const Quaterniond before = R[i - half];
-      const Quaterniond after = R[i + 1 + half];
-      for (std::size_t k = 1; k <= 2 * half; ++k) {
-        R[i - half + k] =
-            before.slerp(smooth_step(static_cast<double>(k) / static_cast<double>(2 * half + 1)).v, after);
-      }
+}
+
+// Where neighbouring frames are further apart than a body can move (`step` gives the distance over its limit), the file
+// is wrong there: everything between such places, as far as they are close together, becomes one smooth way from the
+// last good frame before to the first one after (`between` gives the frame at a fraction of the way).
+template <typename Frame, typename Step, typename Between>
+void bridge_faults(std::vector<Frame>& frames, double rate_hz, const Step& step, const Between& between) {
+  const auto margin = static_cast<std::size_t>(std::ceil(0.08 * rate_hz));
+  const auto together = static_cast<std::size_t>(std::ceil(0.25 * rate_hz));
+  const std::vector<Frame> original = frames;
+  for (std::size_t i = 0; i + 1 < original.size(); ++i) {
+    if (step(original[i], original[i + 1]) <= 1.0) {
+      continue;
     }
+    std::size_t last = i + 1;
+    for (std::size_t k = last; k + 1 < original.size() && k < last + together; ++k) {
+      last = step(original[k], original[k + 1]) > 1.0 ? k + 1 : last;
+    }
+    const std::size_t from = i > margin ? i - margin : 0;
+    const std::size_t to = std::min(last + margin, original.size() - 1);
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const double x = static_cast<double>(k - from) / static_cast<double>(to - from);
+      frames[k] = between(original[from], original[to], smooth_step(x).v);
+    }
+    i = last;
   }
 }
 
-bool first_frame_is_artificial(const std::vector<std::vector<Quaterniond>>& R_PL) {
-  return std::any_of(R_PL.begin(), R_PL.end(), [](const std::vector<Quaterniond>& R) {
-    return R.size() > 3 && geometry::geodesic_angle(R[0], R[1]) > radians(15.0) &&
-           geometry::geodesic_angle(R[0], R[1]) > 6.0 * geometry::geodesic_angle(R[1], R[2]);
-  });
+// Frames at the start that stand apart from the motion: the joints jump after the last of them.
+std::size_t artificial_frames(const std::vector<std::vector<Quaterniond>>& R_PL) {
+  std::size_t count = 0;
+  for (const std::vector<Quaterniond>& R : R_PL) {
+    for (std::size_t i = 0; i < kArtificialStart && i + 2 < R.size(); ++i) {
+      const double jump = geometry::geodesic_angle(R[i], R[i + 1]);
+      if (jump > radians(15.0) && jump > 6.0 * geometry::geodesic_angle(R[i + 1], R[i + 2])) {
+        count = std::max(count, i + 1);
+      }
+    }
+  }
+  return count;
 }
 
 class BvhMotion : public BodyMotion {
@@ -282,19 +307,27 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
     }
     p.push_back(poses.front().p_WL);
   }
-  if (first_frame_is_artificial(R_PL)) {
-    for (auto& R : R_PL) {
-      R.erase(R.begin());
-    }
-    p.erase(p.begin());
-    --frames;
+  const auto artificial = static_cast<std::ptrdiff_t>(artificial_frames(R_PL));
+  for (auto& R : R_PL) {
+    R.erase(R.begin(), R.begin() + artificial);
   }
+  p.erase(p.begin(), p.begin() + artificial);
+  frames = p.size();
   if (frames < 4) {
     return Error{"has too few frames to move", path.string(), "use a file with at least four"};
   }
   for (auto& R : R_PL) {
-    remove_faults(R, rate);
+    remove_spikes(R);
+    bridge_faults(
+        R, rate,
+        [&](const Quaterniond& a, const Quaterniond& b) {
+          return geometry::geodesic_angle(a, b) * rate / kFastestTurn;
+        },
+        [](const Quaterniond& a, const Quaterniond& b, double x) { return a.slerp(x, b); });
   }
+  bridge_faults(
+      p, rate, [&](const Vector3d& a, const Vector3d& b) { return (b - a).norm() * rate / kFastestMove; },
+      [](const Vector3d& a, const Vector3d& b, double x) { return Vector3d(a + x * (b - a)); });
   // To the skeleton's place, looking along +x as it does at rest.
   const Vector3d forward = R_PL.front().front() * (standing(skeleton).front().conjugate() * Vector3d::UnitX());
   const Quaterniond turn(Eigen::AngleAxisd(-std::atan2(forward.y(), forward.x()), Vector3d::UnitZ()));

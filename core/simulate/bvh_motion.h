@@ -14,8 +14,8 @@ namespace limbwave::simulate {
 /// - Joints are found by the segments' own names or, for the segments of "arm", by the usual names of a right arm
 ///   (CMU, Mixamo, Blender, BVH conventions). Segments without a joint stay at rest. None found is an error.
 /// - The unit of the root's path is guessed from the size of the figure unless `metres_per_unit` > 0.
-/// - An artificial first frame, single-frame spikes and steps are removed; everything above 10–20 Hz is filtered off,
-///   because optical noise would become accelerations that no limb has.
+/// - Artificial frames at the start, single-frame spikes and stretches in which joints jump are bridged; everything
+///   above 6 to 12 Hz is filtered off, because optical noise would become accelerations that no limb has.
 /// - The path starts at the skeleton's place, facing +x.
 Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem::path& path,
                                                           const body::Skeleton& skeleton, double metres_per_unit);

@@ -52,7 +52,13 @@ std::vector<double> anti_alias_filter() {
 double nominal_peak(const body::LineInSignal& board, const LineInErrors& errors) {
   const double half_cycle = 0.5 / board.cycle_rate_hz;
   const double tilt = 2.0 / (1.0 + std::exp(-2.0 * kPi * errors.coupling_hz * half_cycle));
-  const double right = 0.5 * board.supply_volts * tilt + errors.ringing * board.supply_volts;
+  double overshoot = 0.0;
+  if (errors.ringing > 0.0) {  // the first maximum of exp(−t/d) sin(ωt)
+    const double w = 2.0 * kPi * errors.ringing_hz;
+    const double wd = w * errors.ringing_decay_s;
+    overshoot = errors.ringing * std::exp(-std::atan(wd) / wd) * wd / std::sqrt(1.0 + wd * wd);
+  }
+  const double right = board.supply_volts * (0.5 * tilt + overshoot);
   // The reference slot stands off the sensors' zero in every cycle, a sensor at the end of its range now and then.
   const double left = std::max(std::abs(board.reference_volts - board.zero_g_volts), board.volts_per_g * board.range_g);
   return std::max(left, right);

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "geometry/so3.h"
@@ -89,6 +90,7 @@ Cell parse_cells(const std::vector<std::string_view>& cells, const std::vector<s
 struct Layout {
   char separator = ',';
   std::vector<std::ptrdiff_t> time, force, truth;
+  std::ptrdiff_t sensor = -1;
   bool truth_is_matrix = false;
   double rate_hz = 0.0;  // of a packet counter; 0 when the time column is in seconds
 };
@@ -121,6 +123,7 @@ Result<Layout> layout_of(const std::vector<std::string_view>& header, char separ
     }
   } else {
     layout.time = columns({"time_s"});
+    layout.sensor = column("sensor");
     layout.force = columns({"ax_m_s2", "ay_m_s2", "az_m_s2"});
     layout.truth = columns({"truth_qw", "truth_qx", "truth_qy", "truth_qz"});
   }
@@ -142,76 +145,120 @@ std::optional<Quaterniond> orientation_of(const std::vector<double>& v, bool mat
   return std::abs(q.norm() - 1.0) < 0.05 ? std::optional(q.normalized()) : std::nullopt;
 }
 
+// Takes a file apart line by line.
+class LogParser {
+ public:
+  explicit LogParser(std::string file) : file_(std::move(file)) {}
+
+  Status line(std::string_view line) {
+    ++number_;
+    if (trimmed(line).empty()) {
+      return {};
+    }
+    if (line.starts_with("//")) {
+      if (const std::size_t at = line.find("Update Rate:"); at != std::string_view::npos) {
+        const std::string_view value = trimmed(line.substr(at + 12));
+        std::from_chars(value.data(), value.data() + value.size(), rate_hz_);
+      }
+      return {};
+    }
+    if (!layout_) {
+      const char separator = line.find('\t') != std::string_view::npos ? '\t' : ',';
+      const Result<Layout> found = layout_of(split(line, separator), separator, rate_hz_, place());
+      if (!found) {
+        return found.error();
+      }
+      layout_ = *found;
+      return {};
+    }
+    return row(split(line, layout_->separator));
+  }
+
+  Result<std::vector<ForceLog>> finish() {
+    for (const ForceLog& log : logs_) {
+      if (log.times.size() < 16 || log.duration() < 4.0 * kWrapBlend) {
+        return Error{"holds less than two seconds of accelerations" + (log.name.empty() ? "" : " of " + log.name),
+                     file_, "use a longer log"};
+      }
+    }
+    if (logs_.empty()) {
+      return Error{"holds no accelerations", file_, "use another log"};
+    }
+    return std::move(logs_);
+  }
+
+ private:
+  [[nodiscard]] std::string place() const { return fmt::format("{}:{}", file_, number_); }
+
+  Status row(const std::vector<std::string_view>& cells) {
+    double time = 0.0;
+    if (parse_cell(cells, layout_->time[0], time) != Cell::kNumber) {
+      return Error{"has no time", place(), "correct or remove the line"};
+    }
+    if (layout_->rate_hz > 0.0) {  // the counter has 16 bits
+      counter_turns_ += time < last_counter_ - 32768.0 ? 65536.0 : 0.0;
+      last_counter_ = time;
+      time = (time + counter_turns_) / layout_->rate_hz;
+    }
+    const Cell force = parse_cells(cells, layout_->force, values_);
+    if (force == Cell::kBad) {
+      return Error{"has an acceleration that is no number", place(), "correct or remove the line"};
+    }
+    if (force == Cell::kEmpty) {
+      return {};
+    }
+    ForceLog& log = log_of(layout_->sensor < std::ssize(cells) && layout_->sensor >= 0
+                               ? cells[static_cast<std::size_t>(layout_->sensor)]
+                               : std::string_view{});
+    if (!log.times.empty() && time <= log.times.back()) {
+      return Error{"goes back in time", place(), "sort the rows by time"};
+    }
+    log.times.push_back(time);
+    log.f_S.emplace_back(values_[0], values_[1], values_[2]);
+    const Cell truth = parse_cells(cells, layout_->truth, values_);
+    if (truth == Cell::kBad) {
+      return Error{"has an orientation that is no number", place(), "correct it or leave it empty"};
+    }
+    log.R_WS.push_back(truth == Cell::kNumber ? orientation_of(values_, layout_->truth_is_matrix) : std::nullopt);
+    return {};
+  }
+
+  ForceLog& log_of(std::string_view name) {
+    const auto found = std::find_if(logs_.begin(), logs_.end(), [&](const ForceLog& log) { return log.name == name; });
+    if (found != logs_.end()) {
+      return *found;
+    }
+    logs_.emplace_back().name = std::string(name);
+    return logs_.back();
+  }
+
+  std::string file_;
+  int number_ = 0;
+  std::optional<Layout> layout_;
+  double rate_hz_ = 0.0;
+  double counter_turns_ = 0.0;
+  double last_counter_ = -1.0;
+  std::vector<double> values_;
+  std::vector<ForceLog> logs_;
+};
+
 }  // namespace
 
-Result<ForceLog> read_force_log(const fs::path& path) {
+Result<std::vector<ForceLog>> read_force_file(const fs::path& path) {
   const Result<std::string> text = read_unpacked(path);
   if (!text) {
     return text.error();
   }
-  ForceLog log;
-  std::optional<Layout> layout;
-  double rate_hz = 0.0;
-  double counter_turns = 0.0;
-  double last_counter = -1.0;
-  std::vector<double> values;
+  LogParser parser(path.string());
   std::string_view rest = *text;
-  for (int line_number = 1; !rest.empty(); ++line_number) {
+  while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
-    const std::string_view line = rest.substr(0, end);
+    if (Status parsed = parser.line(rest.substr(0, end)); !parsed) {
+      return parsed.error();
+    }
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    const std::string place = path.string() + ":" + std::to_string(line_number);
-    if (trimmed(line).empty()) {
-      continue;
-    }
-    if (line.starts_with("//")) {
-      if (const std::size_t at = line.find("Update Rate:"); at != std::string_view::npos) {
-        const std::string_view number = trimmed(line.substr(at + 12));
-        std::from_chars(number.data(), number.data() + number.size(), rate_hz);
-      }
-      continue;
-    }
-    if (!layout) {
-      const char separator = line.find('\t') != std::string_view::npos ? '\t' : ',';
-      const Result<Layout> found = layout_of(split(line, separator), separator, rate_hz, place);
-      if (!found) {
-        return found.error();
-      }
-      layout = *found;
-      continue;
-    }
-    const std::vector<std::string_view> cells = split(line, layout->separator);
-    double time = 0.0;
-    if (parse_cell(cells, layout->time[0], time) != Cell::kNumber) {
-      return Error{"has no time", place, "correct or remove the line"};
-    }
-    if (layout->rate_hz > 0.0) {  // the counter has 16 bits
-      counter_turns += time < last_counter ? 65536.0 : 0.0;
-      last_counter = time;
-      time = (time + counter_turns) / layout->rate_hz;
-    }
-    const Cell force = parse_cells(cells, layout->force, values);
-    if (force == Cell::kBad) {
-      return Error{"has an acceleration that is no number", place, "correct or remove the line"};
-    }
-    if (force == Cell::kEmpty) {
-      continue;
-    }
-    if (!log.times.empty() && time <= log.times.back()) {
-      return Error{"goes back in time", place, "sort the rows by time"};
-    }
-    log.times.push_back(time);
-    log.f_S.emplace_back(values[0], values[1], values[2]);
-    const Cell truth = parse_cells(cells, layout->truth, values);
-    if (truth == Cell::kBad) {
-      return Error{"has an orientation that is no number", place, "correct it or leave it empty"};
-    }
-    log.R_WS.push_back(truth == Cell::kNumber ? orientation_of(values, layout->truth_is_matrix) : std::nullopt);
   }
-  if (log.times.size() < 16 || log.duration() < 4.0 * kWrapBlend) {
-    return Error{"holds less than two seconds of accelerations", path.string(), "use a longer log"};
-  }
-  return log;
+  return parser.finish();
 }
 
 RecordedForces::RecordedForces(std::vector<ForceLog> logs, int sensors) : logs_(std::move(logs)) {
@@ -299,15 +346,18 @@ Result<std::vector<ForceLog>> read_force_logs(const std::string& source, int sen
       files.emplace_back(part);
     }
   }
-  files.resize(std::min(files.size(), static_cast<std::size_t>(sensors)));
   std::vector<ForceLog> logs;
   for (const fs::path& file : files) {
-    Result<ForceLog> log = read_force_log(file);
-    if (!log) {
-      return log.error();
+    if (logs.size() >= static_cast<std::size_t>(sensors)) {
+      break;
     }
-    logs.push_back(*std::move(log));
+    Result<std::vector<ForceLog>> read = read_force_file(file);
+    if (!read) {
+      return read.error();
+    }
+    std::move(read->begin(), read->end(), std::back_inserter(logs));
   }
+  logs.resize(std::min(logs.size(), static_cast<std::size_t>(sensors)));
   // Logs of one recording share a clock: start them all where the last one starts.
   double start = logs.front().times.front();
   for (const ForceLog& log : logs) {

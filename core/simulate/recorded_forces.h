@@ -16,16 +16,19 @@ using Eigen::Vector3d;
 
 /// One sensor's log.
 struct ForceLog {
+  std::string name;                              ///< Of the sensor, where the file names several; else empty.
   std::vector<double> times;                     ///< Seconds, strictly increasing.
   std::vector<Vector3d> f_S;                     ///< Specific force, m/s², sensor frame.
   std::vector<std::optional<Quaterniond>> R_WS;  ///< True orientation, z up, where the file has it.
   [[nodiscard]] double duration() const { return times.back() - times.front(); }
 };
 
-/// Reads a comma-separated log (.csv, .csv.gz) with the columns time_s, ax_m_s2, ay_m_s2, az_m_s2 and, where there is a
-/// truth, truth_qw .. truth_qz, empty where unknown; or the Xsens MTw text form (.txt: comment lines with the update
-/// rate, tab-separated PacketCounter, Acc_X .. Acc_Z, Mat[r][c]), whose lost packets become gaps. Errors name the line.
-Result<ForceLog> read_force_log(const std::filesystem::path& path);
+/// Reads a comma-separated log (.csv, .csv.gz) with the columns time_s, ax_m_s2, ay_m_s2, az_m_s2, where it has them
+/// `sensor` (its name: one log each) and the truth truth_qw .. truth_qz, empty where unknown; or the Xsens MTw text
+/// form
+/// (.txt: comment lines with the update rate, tab-separated PacketCounter, Acc_X .. Acc_Z, Mat[r][c]), whose lost
+/// packets become gaps. At least one log of at least two seconds. Errors name the line.
+Result<std::vector<ForceLog>> read_force_file(const std::filesystem::path& path);
 
 /// Every sensor of a rig plays one log, or a stretch of one: of n logs, sensor s plays log s mod n. Where several
 /// share a log, they start at evenly spaced places of it and wrap around (blended over half a second, without truth).

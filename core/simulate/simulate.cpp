@@ -79,7 +79,7 @@ Status simulate_take(const std::filesystem::path& folder, const SimulateSettings
     }
   }
   if (Status truth = write_truth(out.working_folder() / "truth.json", simulation, settings, frames, cycle_starts,
-                                       progress.part(0.6, 1.0));
+                                 progress.part(0.6, 1.0));
       !truth) {
     return truth;
   }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <string>
 
@@ -22,7 +23,7 @@ bool is_locked(const fs::path& path) {
   if (descriptor < 0) {
     return false;
   }
-  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0;
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(descriptor);
   return locked;
 }

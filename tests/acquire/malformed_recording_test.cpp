@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 
 #include "acquire/recording_file.h"
 #include "support/audio_files.h"
@@ -200,6 +201,26 @@ TEST_F(MalformedRecording, AnyByteOfTheHeaderMayBeWrong) {
     for (const int value : {0x00, 0x01, 0x7F, 0x80, 0xFF}) {
       std::string bytes = whole;
       bytes[at] = static_cast<char>(value);
+      (void)outcome_of(bytes);
+    }
+  }
+}
+
+TEST_F(MalformedRecording, AnythingMayBeWrongInOtherContainers) {
+  std::mt19937 random(3);
+  const StreamFormat format{SampleRate{48000}, 2, SampleType::kInt16};
+  const std::vector<std::byte> raw = test::random_samples(format, 500);
+  const std::vector<std::pair<const char*, int>> kinds{
+      {"x.w64", SF_FORMAT_W64}, {"x.rf64", SF_FORMAT_RF64}, {"x.aiff", SF_FORMAT_AIFF}, {"x.flac", SF_FORMAT_FLAC}};
+  for (const auto& [name, container] : kinds) {
+    test::write_audio(folder / name, container, format, raw);
+    const std::string whole = test::read_bytes(folder / name);
+    for (int i = 0; i < 400; ++i) {
+      std::string bytes = whole.substr(0, i % 4 == 0 ? random() % whole.size() : whole.size());
+      for (unsigned changes = 1 + random() % 3; changes > 0 && !bytes.empty(); --changes) {
+        const std::size_t reach = std::min<std::size_t>(bytes.size(), 160);  // the headers, mostly
+        bytes[random() % reach] = static_cast<char>(i % 3 == 0 ? 0xFF : random() & 0xFFU);
+      }
       (void)outcome_of(bytes);
     }
   }

@@ -16,6 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Result<ForceLog> read_force_log(const fs::path& path) {
+  auto logs = read_force_file(path);
+  return logs ? Result<ForceLog>(logs->front()) : logs.error();
+}
+
 class Logs : public testing::Test {
  protected:
   void SetUp() override {
@@ -92,6 +97,35 @@ TEST_F(Logs, EmptyTruthIsUnknownAndTimesBetweenAreInterpolated) {
   EXPECT_TRUE(forces.orientation(0, 0.985));
   EXPECT_TRUE(forces.orientation(0, 1.015));
   EXPECT_LT((forces.force(0, 0.5055) - Vector3d(50.55, 0.5, -50.55 * 0.25)).norm(), 1e-9);  // a line stays one
+}
+
+TEST_F(Logs, OneFileMayHoldSeveralSensors) {
+  std::string text = "time_s,sensor,wx_rad_s,ax_m_s2,ay_m_s2,az_m_s2\n";
+  for (int i = 0; i < 300; ++i) {
+    text += std::to_string(0.01 * i) + ",hand,0.1," + std::to_string(i) + ",0,9.8\n";
+    text += std::to_string(0.01 * i) + ",forearm,,0,5,9.8\n";
+  }
+  const auto logs = read_force_logs(write("two.csv", text).string(), 5);
+  ASSERT_TRUE(logs) << logs.error().text();
+  ASSERT_EQ(logs->size(), 2U);
+  EXPECT_EQ(logs->at(0).name, "hand");
+  EXPECT_EQ(logs->at(0).f_S[20], Vector3d(20, 0, 9.8));
+  EXPECT_EQ(logs->at(1).f_S[20], Vector3d(0, 5, 9.8));
+  EXPECT_FALSE(logs->at(1).R_WS[20]);
+}
+
+TEST_F(Logs, PacketCountersTurnOverAndShowLostPackets) {
+  std::string text = "// Update Rate: 100.0Hz\nPacketCounter\tAcc_X\tAcc_Y\tAcc_Z\n";
+  for (int i = 0; i < 400; ++i) {
+    if (i < 150 || i >= 170) {
+      text += std::to_string((65400 + i) % 65536) + "\t" + std::to_string(i) + "\t0\t9.8\n";
+    }
+  }
+  const auto log = read_force_log(write("MT.txt", text));
+  ASSERT_TRUE(log) << log.error().text();
+  EXPECT_NEAR(log->duration(), 3.99, 1e-9);
+  EXPECT_NEAR(log->times[150] - log->times[149], 0.21, 1e-9);
+  EXPECT_FALSE(read_force_log(write("back.txt", text + "100\t0\t0\t9.8\n")));
 }
 
 TEST_F(Logs, SensorsShareOneLogInStretchesThatWrapSmoothly) {

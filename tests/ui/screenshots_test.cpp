@@ -1,6 +1,8 @@
 /// Produces a picture of every screen in BUILD/screenshots, and checks that none of them is empty.
 #include <QImage>
+#include <QPushButton>
 #include <QTest>
+#include <QTranslator>
 #include <set>
 
 #include "common/theme.h"
@@ -142,6 +144,21 @@ class ScreenshotsTest : public QObject {
     QTest::mouseClick(studio.window->findChild<QWidget*>(QStringLiteral("demo_reach")), Qt::LeftButton);
     QTest::qWait(1200);
     shoot(*studio.window, QStringLiteral("job"));
+  }
+
+  void german() {
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(LIMBWAVE_BINARY_DIR "/app/studio/limbwave_de.qm")));
+    QApplication::installTranslator(&translator);
+    {
+      StudioFixture studio(fake_services(std::make_shared<FakeLine>()));
+      auto* create = studio.window->findChild<QPushButton*>(QStringLiteral("welcome_new_take"));
+      QCOMPARE(create->text(), QStringLiteral("Neuer Take"));
+      shoot(*studio.window, QStringLiteral("welcome-german"));
+      open(studio, "simulator:wave");
+      shoot(*studio.window, QStringLiteral("capture-german"));
+    }
+    QApplication::removeTranslator(&translator);
   }
 
   void shortcuts() {

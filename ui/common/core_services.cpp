@@ -6,6 +6,7 @@
 #include "acquire/sound_card.h"
 #include "body/rig.h"
 #include "body/skeleton.h"
+#include "common/motion_names.h"
 #include "simulate/simulate.h"
 #include "solve/live_session.h"
 #include "solve/take_calibration.h"
@@ -43,7 +44,20 @@ class SessionBackend : public LiveBackend {
 };
 
 std::string simulator_title(const std::string& motion) {
-  return CoreServices::tr("Simulator: %1").arg(QString::fromStdString(motion)).toStdString();
+  return CoreServices::tr("Simulator: %1").arg(motion_title(QString::fromStdString(motion))).toStdString();
+}
+
+/// The simulator's motions, the most telling first; still poses are for measuring and show nothing.
+std::vector<std::string> demo_motions() {
+  std::vector<std::string> motions = simulate::builtin_motions();
+  std::erase(motions, "still");
+  static const std::vector<std::string> first{"reach", "wave", "walk", "box", "arm-raise"};
+  const auto rank = [](const std::string& motion) {
+    return std::find(first.begin(), first.end(), motion) - first.begin();
+  };
+  std::stable_sort(motions.begin(), motions.end(),
+                   [&rank](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+  return motions;
 }
 
 Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
@@ -52,7 +66,7 @@ Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
     return devices;
   }
   std::vector<acquire::DeviceInfo> all = std::move(devices).value();
-  for (const std::string& motion : simulate::builtin_motions()) {
+  for (const std::string& motion : demo_motions()) {
     acquire::DeviceInfo simulator;
     simulator.id = kSimulatorPrefix + motion;
     simulator.title = simulator_title(motion);
@@ -149,7 +163,7 @@ StudioServices core_services() {
   services.make_live = [](std::unique_ptr<acquire::LiveSource> source, solve::LiveSettings settings) {
     return std::unique_ptr<LiveBackend>(std::make_unique<SessionBackend>(std::move(source), std::move(settings)));
   };
-  services.demo_motions = [] { return simulate::builtin_motions(); };
+  services.demo_motions = demo_motions;
   services.list_rigs = [] { return body::shipped_rigs(); };
   services.load_rig = load_rig_for;
   services.open_take = [](const std::filesystem::path& folder) { return take::open_take(folder); };

@@ -31,7 +31,7 @@ QByteArray load_svg(const QString& name) {
 /// Paints the SVG with "currentColor" replaced by a colour of the present palette.
 class ThemedIconEngine : public QIconEngine {
  public:
-  explicit ThemedIconEngine(QByteArray svg) : svg_(std::move(svg)) {}
+  explicit ThemedIconEngine(QByteArray svg, bool on_accent = false) : svg_(std::move(svg)), on_accent_(on_accent) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
     const ThemeColors& theme = theme_colors(QGuiApplication::palette());
@@ -39,6 +39,8 @@ class ThemedIconEngine : public QIconEngine {
     if (mode == QIcon::Disabled) {
       color = theme.dim;
       color.setAlpha(130);
+    } else if (on_accent_) {
+      color = theme.accent_text;
     } else if (state == QIcon::On) {
       color = theme.accent;
     }
@@ -64,16 +66,21 @@ class ThemedIconEngine : public QIconEngine {
   }
 
   bool isNull() override { return svg_.isEmpty(); }
-  [[nodiscard]] QIconEngine* clone() const override { return new ThemedIconEngine(svg_); }
+  [[nodiscard]] QIconEngine* clone() const override { return new ThemedIconEngine(svg_, on_accent_); }
 
  private:
   QByteArray svg_;
+  bool on_accent_;
 };
 
 }  // namespace
 
 QIcon icon(const QString& name) {
   return QIcon(new ThemedIconEngine(load_svg(name)));
+}
+
+QIcon accent_icon(const QString& name) {
+  return QIcon(new ThemedIconEngine(load_svg(name), true));
 }
 
 QPixmap icon_pixmap(const QString& name, const QColor& color, int size, double device_pixel_ratio) {

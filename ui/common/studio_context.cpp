@@ -1,6 +1,7 @@
 #include "common/studio_context.h"
 
 #include <QDir>
+#include <QStorageInfo>
 
 namespace limbwave::ui {
 
@@ -46,7 +47,23 @@ QString StudioContext::takes_folder() const {
   return folder;
 }
 
+double StudioContext::disk_left_s() const {
+  const auto& snapshot = live_.snapshot();
+  if (snapshot && snapshot->recording && snapshot->disk_left_s > 0.0) {
+    return snapshot->disk_left_s;
+  }
+  if (!disk_asked_.isValid() || disk_asked_.elapsed() > 1000) {
+    disk_free_ = QStorageInfo(takes_folder()).bytesAvailable();
+    disk_asked_.start();
+  }
+  const bool known = snapshot && snapshot->format.rate.hz > 0.0;
+  const double bytes_per_second =
+      known ? snapshot->format.rate.hz * static_cast<double>(snapshot->format.bytes_per_frame()) : 48000.0 * 4.0;
+  return static_cast<double>(disk_free_) / bytes_per_second;
+}
+
 void StudioContext::set_takes_folder(const QString& folder) {
+  disk_asked_.invalidate();
   settings_.setValue(QStringLiteral("takes/folder"), folder);
 }
 

@@ -2,6 +2,7 @@
 /// the studio is global.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QSettings>
 #include <QString>
@@ -40,6 +41,9 @@ class StudioContext : public QObject {
   /// Where new takes go: the setting, else ~/Limbwave. Made when it does not exist.
   [[nodiscard]] QString takes_folder() const;
   void set_takes_folder(const QString& folder);
+  /// How long recording into that folder lasts until its disk is full, seconds: as the session says while it records,
+  /// else from the free space at the running capture's rate, or at 48 kHz in 16 bit stereo.
+  [[nodiscard]] double disk_left_s() const;
 
   /// Shows a workspace ("capture", "calibrate", "solve", "export", "welcome") and there the place of a topic: "record",
   /// "devices", "sensors", "sensor:2", "line", "disk", "latency", or one of the workspace's own.
@@ -59,6 +63,8 @@ class StudioContext : public QObject {
   TimeModel time_;
   QUndoStack undo_stack_;
   LiveModel live_;
+  mutable QElapsedTimer disk_asked_;
+  mutable qint64 disk_free_ = 0;  ///< Bytes, asked at most once a second.
 };
 
 }  // namespace limbwave::ui

@@ -77,7 +77,7 @@ QPolygonF decimated_line(std::span<const double> times, std::span<const double> 
 }
 
 double scope_range(double peak) {
-  constexpr std::array<double, 7> kSteps{0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
+  constexpr std::array<double, 11> kSteps{0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0};
   for (const double step : kSteps) {
     if (peak * 1.1 <= step) {
       return step;

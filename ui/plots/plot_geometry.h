@@ -36,7 +36,7 @@ std::vector<double> ticks(double begin, double end, double step);
 QPolygonF decimated_line(std::span<const double> times, std::span<const double> values, const AxisMap& x,
                          const AxisMap& y);
 
-/// The smallest of the steps 1, 0.5, 0.2, 0.1 ... 0.01 of full scale that shows a peak with a tenth to spare.
+/// The smallest of the steps 1, 0.7, 0.5, 0.3, 0.2, 0.1 ... 0.01 of full scale that shows a peak with a tenth to spare.
 double scope_range(double peak);
 
 /// What the scope shows: a piece of the stream that begins shortly before slot 0 of one cycle, so that it stands still.

@@ -216,7 +216,7 @@ void SensorStrips::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(top.left(), 0, top.width(), kHeader - 2), Qt::AlignLeft | Qt::AlignVCenter,
                      names.at(static_cast<std::size_t>(axis)));
     const QRectF foot(top.left(), height() - kFooter, top.width(), kFooter);
-    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, tr("\u221210 s"));
+    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, tr("−10 s"));
     painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, tr("now"));
   }
 }

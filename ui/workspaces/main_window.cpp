@@ -154,7 +154,9 @@ void MainWindow::make_actions() {
 
 void MainWindow::follow_context() {
   connect(&context_, &StudioContext::reveal_requested, this, [this](const QString& id, const QString& topic) {
-    if (show_workspace(id) && current_ >= 0 && !topic.isEmpty()) {
+    // Where a workspace does not exist, Capture shows the trouble itself.
+    const bool shown = show_workspace(id) || show_workspace(QStringLiteral("capture"));
+    if (shown && current_ >= 0 && !topic.isEmpty()) {
       workspaces_[static_cast<std::size_t>(current_)]->reveal(topic);
     }
   });
@@ -206,6 +208,7 @@ void MainWindow::show_index(int index) {
   current_ = index;
   if (index < 0) {
     pages_->setCurrentWidget(welcome_);
+    welcome_->setFocus();
     inspector_dock_->hide();
     if (timeline_dock_ != nullptr) {
       timeline_dock_->hide();
@@ -264,6 +267,9 @@ void MainWindow::show_shortcuts() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   // A recording is closed properly by the session's destructor; nothing is lost, so nothing is asked.
+  if (context_.live().recording() && context_.live().snapshot()) {
+    context_.recent_takes().add(QString::fromStdString(context_.live().snapshot()->take_folder.string()));
+  }
   save_layout(*this, context_.settings());
   context_.settings().setValue(QStringLiteral("window/workspace"), current_workspace());
   QMainWindow::closeEvent(event);

@@ -56,12 +56,11 @@ StatusFact StatusFacts::record(const StatusInput& in) {
 }
 
 StatusFact StatusFacts::disk(const StatusInput& in) {
-  StatusFact fact{QStringLiteral("disk"), Tone::kUnknown, tr("disk –"), tr("Known while a device is open."),
-                  QStringLiteral("disk")};
-  if (in.snapshot == nullptr || !(in.snapshot->disk_left_s > 0.0)) {
+  StatusFact fact{QStringLiteral("disk"), Tone::kUnknown, tr("disk –"), {}, QStringLiteral("disk")};
+  if (!(in.disk_left_s >= 0.0)) {
     return fact;
   }
-  const double left = in.snapshot->disk_left_s;
+  const double left = in.disk_left_s;
   fact.tone = left < 300.0 ? trouble(in) : left < 3600.0 ? Tone::kWarning : Tone::kGood;
   fact.text = tr("disk %1").arg(format_left(left));
   fact.detail = left < 3600.0 ? tr("The disk is full after %1 of recording. Free some space or choose another folder.")
@@ -92,6 +91,7 @@ StatusFact StatusFacts::sensors(const StatusInput& in) {
       if (tone != Tone::kGood) {
         fact.detail = tr("Sensor %1: %2").arg(i + 1).arg(QString::fromStdString(sensor.text));
         fact.topic = QStringLiteral("sensor:%1").arg(i);
+        fact.workspace = sensor.code == "no-calibration" ? QStringLiteral("calibrate") : QStringLiteral("capture");
       }
     }
   }

@@ -13,9 +13,10 @@ namespace limbwave::ui {
 struct StatusFact {
   QString id;  ///< "record", "disk", "sensors", "sync", "latency"
   Tone tone = Tone::kUnknown;
-  QString text;    ///< "disk 23 h"
-  QString detail;  ///< Tooltip: the whole sentence, and what a click does.
-  QString topic;   ///< Where a click leads to in Capture: "sensors", "sensor:2", "line" ...
+  QString text;                                   ///< "disk 23 h"
+  QString detail;                                 ///< Tooltip: the whole sentence, and what a click does.
+  QString topic;                                  ///< Where a click leads to: "sensors", "sensor:2", "line" ...
+  QString workspace = QStringLiteral("capture");  ///< And in which workspace.
 };
 
 /// What the facts are made of; plain, so that tests can make it up.
@@ -23,6 +24,7 @@ struct StatusInput {
   LiveState state = LiveState::kOff;
   bool recording = false, finishing = false;
   const solve::LiveSnapshot* snapshot = nullptr;  ///< May be null.
+  double disk_left_s = -1.0;                      ///< Negative: not known.
   double latency_mean_s = -1.0, latency_max_s = -1.0;
   QString problem, remedy;  ///< Of the live model.
 };

@@ -23,6 +23,7 @@ void StatusButton::set_fact(const StatusFact& fact) {
   const bool wider = fact.text.size() != fact_.text.size();
   if (fact.text == fact_.text && fact.tone == fact_.tone && fact.detail == fact_.detail) {
     fact_.topic = fact.topic;
+    fact_.workspace = fact.workspace;
     return;
   }
   fact_ = fact;
@@ -121,7 +122,7 @@ StatusStrip::StatusStrip(StudioContext& context, QMenu* take_menu, QMenu* main_m
     facts_.push_back(button);
     layout->addWidget(button);
     connect(button, &StatusButton::clicked, this,
-            [this, button] { context_.reveal(QStringLiteral("capture"), button->fact().topic); });
+            [this, button] { context_.reveal(button->fact().workspace, button->fact().topic); });
   }
   layout->addSpacing(kGrid);
   right_ = new QHBoxLayout;
@@ -153,8 +154,15 @@ void StatusStrip::add_action_button(QAction* action) {
 
 void StatusStrip::refresh() {
   const LiveModel& live = context_.live();
-  const StatusInput input{live.state(),          live.recording(),     live.finishing(), live.snapshot().get(),
-                          live.latency_mean_s(), live.latency_max_s(), live.problem(),   live.remedy()};
+  const StatusInput input{.state = live.state(),
+                          .recording = live.recording(),
+                          .finishing = live.finishing(),
+                          .snapshot = live.snapshot().get(),
+                          .disk_left_s = context_.disk_left_s(),
+                          .latency_mean_s = live.latency_mean_s(),
+                          .latency_max_s = live.latency_max_s(),
+                          .problem = live.problem(),
+                          .remedy = live.remedy()};
   const std::vector<StatusFact> facts = status_facts(input);
   for (std::size_t i = 0; i < facts.size() && i < facts_.size(); ++i) {
     facts_[i]->set_fact(facts[i]);

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "common/format.h"
+#include "common/motion_names.h"
 
 namespace limbwave::ui {
 namespace {
@@ -101,7 +102,7 @@ void TakeActions::open_demo(const QString& motion) {
   if (!context_.services().simulate_take) {
     return;
   }
-  const QString title = tr("Making the demo take \u201c%1\u201d").arg(motion);
+  const QString title = tr("Making the demo take \u201c%1\u201d").arg(motion_title(motion));
   context_.jobs().start(
       title, this,
       [simulate = context_.services().simulate_take, folder, motion](const Progress& progress) {

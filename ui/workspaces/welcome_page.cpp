@@ -8,55 +8,16 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "common/icons.h"
+#include "common/motion_names.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 #include "workspaces/demo_picture.h"
 #include "workspaces/take_actions.h"
 
 namespace limbwave::ui {
-
-QString demo_title(const QString& motion) {
-  if (motion == QLatin1String("wave")) {
-    return WelcomePage::tr("Waving");
-  }
-  if (motion == QLatin1String("raise")) {
-    return WelcomePage::tr("Arm raises");
-  }
-  if (motion == QLatin1String("reach")) {
-    return WelcomePage::tr("Reaching for a glass");
-  }
-  if (motion == QLatin1String("walk")) {
-    return WelcomePage::tr("Walking");
-  }
-  if (motion == QLatin1String("box")) {
-    return WelcomePage::tr("Boxing");
-  }
-  if (motion == QLatin1String("exercise")) {
-    return WelcomePage::tr("Every joint");
-  }
-  return motion;
-}
-
-QString demo_hint(const QString& motion) {
-  if (motion == QLatin1String("wave")) {
-    return WelcomePage::tr("Quick turns of the forearm");
-  }
-  if (motion == QLatin1String("raise")) {
-    return WelcomePage::tr("Slow and exact");
-  }
-  if (motion == QLatin1String("reach")) {
-    return WelcomePage::tr("All segments at once");
-  }
-  if (motion == QLatin1String("walk")) {
-    return WelcomePage::tr("The arm swings along");
-  }
-  if (motion == QLatin1String("box")) {
-    return WelcomePage::tr("Hard accelerations");
-  }
-  return WelcomePage::tr("From the simulator");
-}
 
 WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* parent)
     : QWidget(parent), context_(context), actions_(actions), recent_(new QListWidget(this)) {
@@ -102,8 +63,7 @@ WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* 
   buttons->setSpacing(kGrid);
   const auto add_button = [&](const QString& icon_name, const QString& text, const QString& hint, bool primary) {
     auto* button = new QPushButton(text, content);
-    button->setIcon(primary ? QIcon(icon_pixmap(icon_name, theme_colors(palette()).accent_text, 16, 2.0))
-                            : icon(icon_name));
+    button->setIcon(primary ? accent_icon(icon_name) : icon(icon_name));
     button->setProperty("primary", primary);
     button->setToolTip(hint);
     buttons->addWidget(button);
@@ -129,7 +89,6 @@ WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* 
   recent_layout->setContentsMargins(0, 0, 0, 0);
   recent_layout->addWidget(heading_label(tr("Recent takes"), recent_box_));
   recent_->setAccessibleName(tr("Recent takes"));
-  recent_->setMaximumHeight(24 * kGrid);
   recent_->setTextElideMode(Qt::ElideMiddle);
   recent_->setUniformItemSizes(true);
   recent_layout->addWidget(recent_);
@@ -154,7 +113,7 @@ QWidget* WelcomePage::make_demos() {
   if (context_.services().demo_motions) {
     for (const std::string& name : context_.services().demo_motions()) {
       const QString motion = QString::fromStdString(name);
-      auto* button = new DemoButton(motion, demo_title(motion), demo_hint(motion), box);
+      auto* button = new DemoButton(motion, motion_title(motion), motion_hint(motion), box);
       button->setObjectName(QStringLiteral("demo_") + motion);
       connect(button, &QPushButton::clicked, this, [this, motion] { actions_.open_demo(motion); });
       row->addWidget(button);
@@ -178,6 +137,10 @@ void WelcomePage::update_recent() {
     item->setToolTip(folder);
   }
   recent_box_->setVisible(recent_->count() > 0);
+  if (recent_->count() > 0) {
+    constexpr int kRows = 6;
+    recent_->setFixedHeight(recent_->sizeHintForRow(0) * std::min(kRows, recent_->count()) + 2 * kGrid);
+  }
 }
 
 }  // namespace limbwave::ui

@@ -26,8 +26,4 @@ class WelcomePage : public QWidget {
   QWidget* recent_box_;
 };
 
-/// Name and hint of a demo motion for people; the motion's own name when it is unknown.
-QString demo_title(const QString& motion);
-QString demo_hint(const QString& motion);
-
 }  // namespace limbwave::ui

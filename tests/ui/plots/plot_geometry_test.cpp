@@ -90,7 +90,8 @@ TEST(ScopeWindow, RunsFreeWithoutSync) {
 TEST(Ranges, ScopeShowsThePeakWithSomethingToSpare) {
   EXPECT_EQ(scope_range(0.0), 0.01);
   EXPECT_EQ(scope_range(0.3), 0.5);
-  EXPECT_EQ(scope_range(0.49), 1.0);
+  EXPECT_EQ(scope_range(0.49), 0.7);
+  EXPECT_EQ(scope_range(0.95), 1.0);
   EXPECT_EQ(scope_range(3.0), 1.0);
 }
 

@@ -234,7 +234,7 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
   services.make_live = [line](std::unique_ptr<acquire::LiveSource>, solve::LiveSettings settings) {
     return std::unique_ptr<LiveBackend>(std::make_unique<FakeBackend>(line, std::move(settings)));
   };
-  services.demo_motions = [] { return std::vector<std::string>{"wave", "raise", "reach", "walk", "box"}; };
+  services.demo_motions = [] { return std::vector<std::string>{"wave", "arm-raise", "reach", "walk", "box"}; };
   services.list_rigs = [] { return std::vector<std::string>{"line-in-arm"}; };
   services.load_rig = [](const std::string&, const std::string&) -> Result<solve::LiveSettings> { return fake_rig(); };
   services.open_take = [](const std::filesystem::path& folder) -> Result<take::Take> {

@@ -15,7 +15,6 @@ solve::LiveSnapshot good_snapshot() {
   shot.line.cycle_rate_hz = 60.0;
   shot.line.left_peak = 0.4;
   shot.line.right_peak = 0.7;
-  shot.disk_left_s = 23 * 3600.0;
   for (int i = 0; i < 5; ++i) {
     shot.health.push_back({solve::HealthState::kGood, "good", "good"});
   }
@@ -44,6 +43,7 @@ TEST(StatusFacts, AllWell) {
   StatusInput input{.state = LiveState::kRunning,
                     .recording = true,
                     .snapshot = &shot,
+                    .disk_left_s = 82800.0,
                     .latency_mean_s = 0.042,
                     .latency_max_s = 0.06,
                     .problem = {},
@@ -59,10 +59,9 @@ TEST(StatusFacts, AllWell) {
 
 TEST(StatusFacts, RedIsForLosingData) {
   solve::LiveSnapshot shot = good_snapshot();
-  shot.disk_left_s = 100.0;
   shot.line.locked = false;
   shot.health[2] = {solve::HealthState::kBad, "stuck", "sends the same value all the time"};
-  StatusInput input{.state = LiveState::kRunning, .snapshot = &shot, .problem = {}, .remedy = {}};
+  StatusInput input{.state = LiveState::kRunning, .snapshot = &shot, .disk_left_s = 100.0, .problem = {}, .remedy = {}};
   for (const char* id : {"disk", "sync", "sensors"}) {
     EXPECT_EQ(fact(input, id).tone, Tone::kWarning) << id;
   }
@@ -80,8 +79,12 @@ TEST(StatusFacts, LeadsToTheWorstSensor) {
   shot.health[1].text = "clips";
   shot.health[3].state = solve::HealthState::kBad;
   shot.health[3].text = "is stuck";
-  const StatusInput input{
-      .state = LiveState::kRunning, .recording = true, .snapshot = &shot, .problem = {}, .remedy = {}};
+  const StatusInput input{.state = LiveState::kRunning,
+                          .recording = true,
+                          .snapshot = &shot,
+                          .disk_left_s = 82800.0,
+                          .problem = {},
+                          .remedy = {}};
   const StatusFact sensors = fact(input, "sensors");
   EXPECT_EQ(sensors.topic, "sensor:3");
   EXPECT_EQ(sensors.text, "sensors 4/5");

@@ -1,11 +1,9 @@
 #include "workspaces/capture/record_panel.h"
 
-#include <QEvent>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QStorageInfo>
 
 #include "common/format.h"
 #include "common/icons.h"
@@ -85,13 +83,6 @@ void RecordPanel::focus_record() {
   record_->setFocus();
 }
 
-void RecordPanel::changeEvent(QEvent* event) {
-  Card::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    refresh();
-  }
-}
-
 void RecordPanel::choose_folder() {
   const QString folder = QFileDialog::getExistingDirectory(window(), tr("Folder for takes"), context_.takes_folder());
   if (!folder.isEmpty()) {
@@ -107,12 +98,7 @@ void RecordPanel::refresh() {
   const bool busy = live.starting() || live.finishing();
   record_->setText(recording ? tr("Stop") : tr("Record"));
   record_->setAccessibleName(recording ? tr("Stop recording") : tr("Record"));
-  const ThemeColors& theme = theme_colors(palette());
-  record_->setIcon(QIcon(icon_pixmap(recording ? QStringLiteral("stop") : QStringLiteral("record"),
-                                     recording             ? theme.text
-                                     : model_.can_record() ? theme.accent_text
-                                                           : theme.dim,
-                                     20, devicePixelRatioF())));
+  record_->setIcon(recording ? icon(QStringLiteral("stop")) : accent_icon(QStringLiteral("record")));
   set_style_property(record_, "primary", !recording);
   record_->setEnabled(recording ? !busy : model_.can_record());
   subject_->setEnabled(!recording && !busy);
@@ -153,12 +139,7 @@ void RecordPanel::refresh_time() {
                     : live.state() == LiveState::kRunning ? tr("Not ready")
                                                           : tr("No device"));
   }
-  double left = snapshot ? snapshot->disk_left_s : 0.0;
-  if (!(left > 0.0)) {
-    // Before a device is open: what 48 kHz in 16 bit stereo would take.
-    left = static_cast<double>(QStorageInfo(context_.takes_folder()).bytesAvailable()) / (48000.0 * 4.0);
-  }
-  disk_->setText(tr("disk: %1").arg(format_left(left)));
+  disk_->setText(tr("disk: %1").arg(format_left(context_.disk_left_s())));
   disk_->setToolTip(tr("How long recording lasts until the disk is full"));
   const bool can = recording || model_.can_record();
   if (record_->isEnabled() != can && !live.starting() && !live.finishing()) {

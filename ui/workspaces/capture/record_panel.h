@@ -17,9 +17,6 @@ class RecordPanel : public Card {
   RecordPanel(StudioContext& context, CaptureModel& model, QWidget* parent = nullptr);
   void focus_record();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   void refresh();
   void refresh_time();

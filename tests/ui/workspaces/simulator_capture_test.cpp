@@ -1,0 +1,90 @@
+/// The whole way with nothing made up: the simulator as a device, the real session, the real recorder.
+#include <QLabel>
+#include <QTest>
+
+#include "common/core_services.h"
+#include "common/theme.h"
+#include "take/take.h"
+#include "ui/support/studio_fixture.h"
+#include "workspaces/capture/capture_workspace.h"
+#include "workspaces/capture/overview_panel.h"
+#include "workspaces/take_actions.h"
+
+namespace limbwave::ui::testing {
+
+/// The simulator only: this machine's sound cards are not part of this test.
+inline StudioServices simulator_services() {
+  StudioServices services = core_services();
+  services.list_devices = []() -> Result<std::vector<acquire::DeviceInfo>> {
+    acquire::DeviceInfo device;
+    device.id = "simulator:wave";
+    device.title = "Simulator: wave";
+    device.channels = 2;
+    return std::vector<acquire::DeviceInfo>{device};
+  };
+  return services;
+}
+
+class SimulatorCaptureTest : public QObject {
+  Q_OBJECT
+ private:
+  static void shoot(QWidget& widget, const QString& name) {
+    QTest::qWait(100);
+    QVERIFY(widget.grab().toImage().save(screenshot_path(name)));
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { apply_theme(*qApp, ThemeKind::kDark); }
+
+  void records_two_seconds_and_opens_the_take() {
+    StudioFixture studio(simulator_services());
+    studio.window->show_workspace(QStringLiteral("capture"));
+    auto* capture = dynamic_cast<CaptureWorkspace*>(studio.window->workspace(QStringLiteral("capture")));
+    QVERIFY(capture != nullptr);
+    LiveModel& live = studio.context->live();
+    QTRY_VERIFY(!capture->model().devices().empty());
+    capture->model().open_device(QStringLiteral("simulator:wave"));
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot() && live.snapshot()->line.locked, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->frames.size() > 60, 20000);
+    QCOMPARE(live.snapshot()->health.size(), std::size_t{5});
+    QVERIFY(live.snapshot()->scope.size() > 1000);
+    QVERIFY(!live.snapshot()->scope_cycles.empty());
+    capture->model().set_subject(QStringLiteral("Ann"));
+    capture->model().start_recording();
+    QTRY_VERIFY(live.recording());
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->recorded_s >= 1.0, 20000);
+    capture->model().mark(QStringLiteral("here"));
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->recorded_s >= 2.0, 20000);
+    shoot(*studio.window, QStringLiteral("simulator-recording"));
+    capture->model().stop_recording();
+    QTRY_VERIFY_WITH_TIMEOUT(studio.context->document().is_open(), 20000);
+    const auto take = studio.context->document().take();
+    QVERIFY(take->info.complete);
+    QCOMPARE(QString::fromStdString(take->info.subject), QStringLiteral("Ann"));
+    QVERIFY(static_cast<double>(take->info.frames) / take->info.format.rate.hz >= 2.0);
+    // What the window shows is what is on disk.
+    const Result<take::Take> again = take::open_take(take->folder);
+    QVERIFY(again.ok());
+    QCOMPARE(again->info.frames, take->info.frames);
+    QCOMPARE(capture->model().markers().size(), std::size_t{1});
+    QCOMPARE(capture->model().markers().front().text, QStringLiteral("here"));
+    auto* overview = capture->findChild<OverviewPanel*>();
+    QTRY_VERIFY(overview->view().visible_end_s() > 1.9);
+    shoot(*studio.window, QStringLiteral("simulator-recorded"));
+  }
+
+  void a_demo_take_is_simulated_and_shown() {
+    StudioFixture studio(simulator_services());
+    studio.window->take_actions().open_demo(QStringLiteral("wave"));
+    QTRY_VERIFY_WITH_TIMEOUT(studio.context->document().is_open(), 120000);
+    QVERIFY(studio.window->show_workspace(QStringLiteral("capture")));
+    auto* overview = studio.window->findChild<OverviewPanel*>();
+    QTRY_VERIFY(overview->view().visible_end_s() > 1.0);
+    shoot(*studio.window, QStringLiteral("demo-in-capture"));
+  }
+};
+
+}  // namespace limbwave::ui::testing
+
+QTEST_MAIN(limbwave::ui::testing::SimulatorCaptureTest)
+#include "simulator_capture_test.moc"
