@@ -157,7 +157,7 @@ QWidget* LimbWizard::make_result_page() {
   rows_layout_ = new QVBoxLayout(content);
   rows_layout_->setContentsMargins(0, 0, 0, 0);
   rows_layout_->setSpacing(kGrid);
-  rows_layout_->addStretch();
+  rows_layout_->addStretch(1);
   scroll->setWidget(content);
   layout->addWidget(scroll, 1);
   auto* row = new QHBoxLayout;

@@ -31,7 +31,6 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   layout->setContentsMargins(2 * kGrid, kGrid + 4, 2 * kGrid, kGrid + 4);
   layout->setSpacing(2 * kGrid);
   title_->setStyleSheet(QStringLiteral("font-size: 16px;"));
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* names = new QWidget(this);
   names->setFixedWidth(12 * kGrid);
   auto* names_layout = new QVBoxLayout(names);

@@ -32,6 +32,7 @@ WizardFrame::WizardFrame(const QString& title, QWidget* parent)
       back_(new QPushButton(tr("Back"), this)),
       next_(new QPushButton(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
+  setFocusPolicy(Qt::StrongFocus);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kGrid, 2 * kGrid, 3 * kGrid, 2 * kGrid);
   layout->setSpacing(2 * kGrid);
@@ -106,9 +107,9 @@ WizardFrame::WizardFrame(const QString& title, QWidget* parent)
 void WizardFrame::show_page(int index) {
   question_->hide();
   pages_->setCurrentIndex(index);
-  // Keys reach the wizard only while it has the focus.
+  // Keys reach the wizard only while it has the focus; no button gets it, so that Space presses none by accident.
   if (isVisible()) {
-    next_->setFocus();
+    setFocus();
   }
 }
 

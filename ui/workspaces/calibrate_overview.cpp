@@ -78,7 +78,6 @@ SensorRow::SensorRow(int sensor, QWidget* parent)
   setProperty("card", true);
   setObjectName(QStringLiteral("row_%1").arg(sensor));
   setFocusPolicy(Qt::StrongFocus);
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   setCursor(Qt::PointingHandCursor);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
@@ -205,7 +204,7 @@ CalibrateOverview::CalibrateOverview(CalibrationDesk& desk, QWidget* parent)
   rows_layout_ = new QVBoxLayout(content);
   rows_layout_->setContentsMargins(0, 0, 0, 0);
   rows_layout_->setSpacing(kGrid / 2);
-  rows_layout_->addStretch();
+  rows_layout_->addStretch(1);
   scroll->setWidget(content);
   layout->addWidget(scroll, 1);
 

@@ -19,6 +19,7 @@ struct CalibrateStudio {
     studio.context->settings().setValue(QStringLiteral("capture/subject"), QStringLiteral("Ada"));
     studio.window->show_workspace(QStringLiteral("calibrate"));
     workspace = dynamic_cast<CalibrateWorkspace*>(studio.window->workspace(QStringLiteral("calibrate")));
+    idle();
   }
   StudioParts parts() {
     StudioParts parts;
@@ -34,6 +35,8 @@ struct CalibrateStudio {
     parts.workspaces.push_back(entry);
     return parts;
   }
+  /// Waits until no job is left.
+  void idle() { QTRY_VERIFY(studio.context->jobs().jobs().empty()); }
   /// The visible button of that name.
   QPushButton* button(const char* name) {
     const auto all = workspace->findChildren<QPushButton*>(QLatin1String(name));
@@ -78,6 +81,7 @@ class CalibrateWorkspaceTest : public QObject {
 
   void shoot(CalibrateStudio& bench, const QString& name) {
     QVERIFY(QTest::qWaitForWindowExposed(bench.studio.window.get()));
+    bench.idle();
     QTest::qWait(60);
     const QImage image = bench.studio.window->grab().toImage();
     QVERIFY(!image.isNull());
