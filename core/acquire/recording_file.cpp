@@ -75,8 +75,8 @@ Error error_at(const fs::path& path, std::string message, std::string remedy) {
 }
 
 std::string seconds_text(std::uint64_t bytes, const ContainerLayout& layout) {
-  return fmt::format("{:.1f} s",
-                     static_cast<double>(bytes / static_cast<std::uint64_t>(layout.bytes_per_frame)) / layout.rate_hz);
+  const std::uint64_t frames = bytes / static_cast<std::uint64_t>(layout.bytes_per_frame);
+  return fmt::format("{:.1f} s", static_cast<double>(frames) / layout.rate_hz);
 }
 
 std::optional<Error> check_file(const fs::path& path) {

@@ -15,7 +15,7 @@ namespace limbwave::acquire {
 enum class SampleType { kInt16, kInt24, kInt32, kFloat32 };
 
 std::string_view name(SampleType type);                        ///< "int16", "int24", "int32", "float32"
-std::optional<SampleType> sample_type(std::string_view name);  ///< The inverse of `name`.
+std::optional<SampleType> sample_type(std::string_view text);  ///< The inverse of `name`.
 std::size_t bytes_per_sample(SampleType type);                 ///< 2, 3, 4, 4
 
 struct StreamFormat {

@@ -68,13 +68,14 @@ void JsonReader::allow(std::initializer_list<const char*> keys) const {
     fail("is not an object");
     return;
   }
-  for (const auto& [key, child] : value_->items()) {
+  for (auto entry = value_->begin(); entry != value_->end(); ++entry) {
+    const std::string& key = entry.key();
     if (std::none_of(keys.begin(), keys.end(), [&](const char* allowed) { return key == allowed; })) {
       std::string list;
       for (const char* allowed : keys) {
         list += list.empty() ? allowed : std::string(", ") + allowed;
       }
-      JsonReader(child, path_ + "/" + key, *state_).fail("is not a known key", "known here: " + list);
+      JsonReader(*entry, path_ + "/" + key, *state_).fail("is not a known key", "known here: " + list);
     }
   }
 }

@@ -326,6 +326,9 @@ void LineInDecoder::Impl::decode_cycle(const CycleBounds& bounds) {
     noise = std::sqrt(noise * noise + (variance - noise * noise) / 30.0);
   }
   monitor.step(out, measured.counter_clipped, gain);
+  if (!parameters.coupling_hz) {
+    monitor.watch_hum(out, reference.unrest(), noise * std::sqrt(measured.data_noise_gain), gain.swing);
+  }
 
   if (follows) {
     const double change = (period - last_period) / period;

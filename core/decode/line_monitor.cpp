@@ -9,6 +9,7 @@ namespace limbwave::decode {
 namespace {
 
 constexpr double kStretchEnds_s = 0.5;        // clipping that pauses for longer is a new occurrence
+constexpr double kHum = 0.002;                // of the counter's swing
 constexpr std::size_t kConfirm = 8;           // steady cycles after a change before it is judged
 constexpr double kSmallestGainChange = 0.02;  // of the swing, relative
 constexpr double kSmallestJump = 0.05;        // of the levels against the swing, relative
@@ -80,6 +81,22 @@ void LineMonitor::watch_clipping(const LineInCycle& cycle, bool counter_clipped,
                  "Turn the input level down until the counter reaches about two thirds of full scale", "", time_s});
     }
     last_counter_clip_s_ = time_s;
+  }
+}
+
+void LineMonitor::watch_hum(const LineInCycle& cycle, double unrest, double explained, double swing) {
+  const double limit = std::max(4.0 * explained, kHum * swing);
+  if (unrest > limit && !humming_) {
+    humming_ = true;
+    log_->add(
+        {Severity::kWarning, "line-in.hum",
+         fmt::format("the reference level, which should stand still, moves by {:.2f} % of the counter's swing: there "
+                     "is hum on the sensor channel",
+                     100.0 * unrest / swing),
+         "Run the computer on its battery, keep the cable away from power supplies and use a shielded one", "",
+         cycle.start_sample / rate_.hz});
+  } else if (unrest < 0.5 * limit) {
+    humming_ = false;
   }
 }
 

@@ -18,6 +18,8 @@ class LineMonitor {
       : format_(format), rate_(rate), log_(&log) {}
   /// Every cycle, in order of time; `counter_clipped` and `swing` as measured on the counter channel.
   void step(const LineInCycle& cycle, bool counter_clipped, const SwingTracker::Reading& swing);
+  /// RMS by which the reference level is off its prediction, and what of it noise explains, fractions of full scale.
+  void watch_hum(const LineInCycle& cycle, double unrest, double explained, double swing);
   /// Sums up what was clipped.
   void finish();
 
@@ -40,7 +42,8 @@ class LineMonitor {
   double last_clip_s_ = -1e9, last_counter_clip_s_ = -1e9;
   std::int64_t clipped_slots_ = 0, told_slots_ = 0, clip_stretches_ = 0;
   std::deque<Sample> recent_;  // steady cycles, newest last
-  bool changing_ = false;      // the gain moved; `before_` is what was before
+  bool humming_ = false;
+  bool changing_ = false;  // the gain moved; `before_` is what was before
   double change_s_ = 0.0;
   Sample before_;
 };

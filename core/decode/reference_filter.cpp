@@ -1,6 +1,7 @@
 #include "decode/reference_filter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace limbwave::decode {
@@ -9,6 +10,8 @@ namespace {
 constexpr double kDriftChange = 1e-6;     // RMS change of the drift per cycle, fraction of full scale per cycle
 constexpr double kInnovationGain = 0.03;  // memory of about half a second
 constexpr double kJump = 10.0;            // standard deviations
+constexpr double kJumpMemory = 0.95;      // per cycle
+constexpr double kJumpsOfHum = 3.0;
 constexpr double kSmallestVariance = 1e-18;
 
 }  // namespace
@@ -18,18 +21,26 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
   const double kappa = coupling.kappa;
   const LevelReading& reference = cycle.slots[static_cast<std::size_t>(slots - 1)];
   const double measured_variance = noise * noise * cycle.data_noise_gain + kSmallestVariance;
-  if (!cycle.linked || !known_) {
+  if (!cycle.linked || !known_ || cycle.clipped != 0) {
     if (!drift_known_) {
       // The flattened level runs away by κ c per sample.
       drift_ = kappa * coupling.offset * cycle.period();
       drift_known_ = true;
     }
+    Line line;
+    line.level = reference.mean + kappa * reference.integral;
+    line.instant = reference.centre;
+    line.slope = drift_ / cycle.period();
+    if (cycle.linked && known_ && cycle.clipped != 0) {
+      line.break_at = cycle.slots[static_cast<std::size_t>(std::countr_zero(cycle.clipped))].centre;
+      line.level_before = level_;
+      line.instant_before = cycle.previous_reference.centre;
+    }
     known_ = true;
     level_ = reference.mean;
     p00_ = measured_variance;
     p01_ = 0.0;
-    innovation_ = 0.0;
-    return {reference.mean + kappa * reference.integral, reference.centre, drift_ / cycle.period(), false};
+    return line;
   }
   // Predict: level⁻ = level − κ ∫ + drift.
   const double wander = kappa * noise;
@@ -41,11 +52,17 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
   // What innovations show beyond the model (hum, a second coupling stage) is taken for movement of the level.
   const double innovation = reference.mean - level;
   q00 += std::max(0.0, innovation_ - q00 - measured_variance);
+  jumps_ *= kJumpMemory;
   if (std::fabs(innovation) > std::max(tolerated, kJump * std::sqrt(q00 + measured_variance))) {
-    known_ = false;
-    Line line = step(cycle, slots, coupling, noise, tolerated);
-    line.jumped = true;
-    return line;
+    // What keeps jumping is not a jump but hum: then it is followed.
+    if (++jumps_ < kJumpsOfHum) {
+      known_ = false;
+      Line line = step(cycle, slots, coupling, noise, tolerated);
+      line.jumped = true;
+      return line;
+    }
+    innovation_ = std::max(innovation_, innovation * innovation);
+    q00 += innovation_;
   }
   innovation_ += kInnovationGain * (innovation * innovation - innovation_);
 
@@ -71,7 +88,9 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
   p01_ = (1.0 - gain0) * q01;
   p11_ = q11 - gain1 * q01;
 
-  Line line{level_ + kappa * reference.integral, reference.centre, 0.0, false};
+  Line line;
+  line.level = level_ + kappa * reference.integral;
+  line.instant = reference.centre;
   line.slope = (line.level - previous) / (reference.centre - cycle.previous_reference.centre);
   return line;
 }

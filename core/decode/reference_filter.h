@@ -1,6 +1,8 @@
 /// Where the reference level lies: a Kalman filter over the reference slots.
 #pragma once
 
+#include <cmath>
+
 #include "decode/coupling.h"
 #include "decode/cycle_measurement.h"
 
@@ -18,7 +20,13 @@ class ReferenceFilter {
     double instant = 0.0;
     double slope = 0.0;
     bool jumped = false;  ///< The level is not where it must be: something happened to the line since the last one.
-    [[nodiscard]] double at(double sample) const { return level + slope * (sample - instant); }
+    /// Clipping breaks the integral: slots before `break_at` (samples) go by the previous reference.
+    double break_at = -1e300;
+    double level_before = 0.0;
+    double instant_before = 0.0;
+    [[nodiscard]] double at(double sample) const {
+      return sample < break_at ? level_before + slope * (sample - instant_before) : level + slope * (sample - instant);
+    }
   };
   /// The level before the next cycle is not known; the drift still is.
   void restart() { known_ = false; }
@@ -27,12 +35,16 @@ class ReferenceFilter {
   Line step(const CycleMeasurement& cycle, int slots, const DecayRegression::Estimate& coupling, double noise,
             double tolerated);
 
+  /// How far the reference level is from where it is expected, RMS of about half a second: noise, or hum.
+  [[nodiscard]] double unrest() const { return std::sqrt(innovation_); }
+
  private:
   bool known_ = false, drift_known_ = false;
   double level_ = 0.0;
   double drift_ = 0.0;
   double p00_ = 0.0, p01_ = 0.0, p11_ = 1e-6;
   double innovation_ = 0.0;  // running mean of squared innovations
+  double jumps_ = 0.0;       // jumps of late
 };
 
 /// Flattened levels of all slots relative to the reference at the same instant, fractions of full scale.

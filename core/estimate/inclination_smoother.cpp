@@ -106,6 +106,7 @@ Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& aro
 std::vector<Inclination> bridging(std::span<const ForceSample> samples, const InclinationParameters& parameters) {
   const Surroundings around = surroundings_of(samples, parameters);
   std::vector<Pass> passes;
+  passes.reserve(kLevers.size());
   std::vector<AccelerationStep> steps;
   steps.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {

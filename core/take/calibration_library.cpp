@@ -177,19 +177,35 @@ Result<fs::path> CalibrationLibrary::save_mounts(const std::string& rig, const s
 
 Status CalibrationLibrary::save(const body::Rig& rig, const std::string& subject,
                                 const calibrate::RigCalibration& calibration) const {
+  // What came out of the library, or was saved before, is not a new calibration.
+  const LibraryListing known = list();
   const std::size_t count = rig.accelerometers.size();
   for (std::size_t i = 0; i < std::min(count, calibration.sensors.size()); ++i) {
-    if (!is_real(calibration.sensors[i].method)) {
+    const calibrate::SensorCalibration& sensor = calibration.sensors[i];
+    const std::string key = sensor_key(rig, rig.accelerometers[i]);
+    const bool is_known = std::any_of(known.sensors.begin(), known.sensors.end(), [&](const SensorRecord& record) {
+      return record.key == key &&
+             calibrate::sensor_calibration_to_json(record.calibration) == calibrate::sensor_calibration_to_json(sensor);
+    });
+    if (is_known || !is_real(sensor.method)) {
       continue;
     }
-    if (const Result<fs::path> saved = save_sensor(sensor_key(rig, rig.accelerometers[i]), calibration.sensors[i]);
-        !saved) {
+    if (const Result<fs::path> saved = save_sensor(key, sensor); !saved) {
       return saved.error();
     }
   }
+  const auto is_known_mount = [&](const calibrate::MountCalibration& mount) {
+    return std::any_of(known.mounts.begin(), known.mounts.end(), [&](const MountRecord& record) {
+      return record.rig == rig.name && record.subject == subject &&
+             std::any_of(record.mounts.begin(), record.mounts.end(), [&](const calibrate::MountCalibration& other) {
+               return calibrate::mount_calibration_to_json(other) == calibrate::mount_calibration_to_json(mount);
+             });
+    });
+  };
   std::vector<calibrate::MountCalibration> mounts;
-  std::copy_if(calibration.mounts.begin(), calibration.mounts.end(), std::back_inserter(mounts),
-               [](const calibrate::MountCalibration& mount) { return is_real(mount.method); });
+  std::copy_if(
+      calibration.mounts.begin(), calibration.mounts.end(), std::back_inserter(mounts),
+      [&](const calibrate::MountCalibration& mount) { return is_real(mount.method) && !is_known_mount(mount); });
   if (mounts.empty()) {
     return {};
   }

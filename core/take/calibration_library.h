@@ -62,7 +62,8 @@ class CalibrationLibrary {
   /// Adds a limb calibration of some or all sensors of a rig. Returns the file.
   Result<std::filesystem::path> save_mounts(const std::string& rig, const std::string& subject,
                                             std::vector<calibrate::MountCalibration> mounts) const;
-  /// Both for all sensors of a rig that were really calibrated (method other than "nominal").
+  /// Both for all sensors of a rig that were really calibrated (method other than "nominal") and are not in the library
+  /// already.
   Status save(const body::Rig& rig, const std::string& subject, const calibrate::RigCalibration& calibration) const;
 
   [[nodiscard]] LibraryListing list() const;

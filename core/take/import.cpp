@@ -26,6 +26,10 @@ Result<std::vector<std::int64_t>> check_files(const std::vector<fs::path>& files
     if (!file) {
       return file.error();
     }
+    if (file->format().channels != 2) {
+      return Error{fmt::format("the recording has {} channels", file->format().channels), path.string(),
+                   "export the two that carry the signal as a stereo file"};
+    }
     if (frames.empty()) {
       format = file->format();
     } else if (file->format().rate != format.rate || file->format().channels != format.channels ||

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 
 #include "acquire/wav_writer.h"
@@ -216,7 +216,7 @@ Status Recorder::write(std::span<const std::byte> frames) {
   if (self.stopped) {
     return *self.stopped;
   }
-  const Status status = self.signal->write(frames);
+  Status status = self.signal->write(frames);
   self.bytes_since_check += frames.size();
   self.take.info.frames = self.signal->frames();
   if (!status) {

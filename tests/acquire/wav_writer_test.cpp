@@ -1,12 +1,12 @@
 #include "acquire/wav_writer.h"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sndfile.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstring>
 #include <fstream>
 

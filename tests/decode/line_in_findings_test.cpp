@@ -228,6 +228,17 @@ TEST(LineInFindings, ClippedSlotsAreMarked) {
     clipped += cycle.clipped != 0 ? 1 : 0;
   }
   EXPECT_EQ(decoded.status.clipped_slots, clipped);
+  // The values before and after it in the cycle are as good as ever.
+  double worst = 0.0;
+  for (const LineInCycle& cycle : decoded.cycles) {
+    for (std::size_t slot = 0; slot < 15; ++slot) {
+      if (slot != 4) {
+        worst = std::max(
+            worst, std::fabs(cycle.volts[slot] - test::true_volts(spec, static_cast<int>(slot), cycle.sample[slot])));
+      }
+    }
+  }
+  EXPECT_LT(worst, kNoiseBound);
   EXPECT_NE(decoded.findings.front().message.find("sensor 2 axis y"), std::string::npos) << decoded.texts();
 }
 
@@ -286,6 +297,21 @@ TEST(LineInFindings, ABalanceThatChangesIsTold) {
   LineInSignalSpec right = moving();
   right.right_gain = left.left_gain;
   expect_only(decode(right), "line-in.balance-changed");
+}
+
+TEST(LineInFindings, HumIsToldAndCostsNoCycles) {
+  for (const double hum : {0.005, 0.02}) {
+    LineInSignalSpec spec = moving();
+    spec.hum = hum;
+    const Decoded decoded = decode(spec);
+    expect_only(decoded, "line-in.hum");
+    EXPECT_EQ(decoded.findings.size(), 1U);
+    int invalid = 0;
+    for (const LineInCycle& cycle : decoded.cycles) {
+      invalid += cycle.valid ? 0 : 1;
+    }
+    EXPECT_LE(invalid, 6);
+  }
 }
 
 TEST(LineInFindings, SamplesLostWithoutNotice) {

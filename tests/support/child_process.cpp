@@ -1,18 +1,16 @@
 #include "support/child_process.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): not declared by unistd.h without GNU extensions
 
 namespace limbwave::test {
 
@@ -20,7 +18,8 @@ bool is_installed(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (::access((folder + "/" + program).c_str(), X_OK) == 0) {
+    const std::filesystem::path file = std::filesystem::path(folder) / program;
+    if (::access(file.c_str(), X_OK) == 0) {
       return true;
     }
   }
@@ -30,6 +29,7 @@ bool is_installed(const std::string& program) {
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
                            const std::map<std::string, std::string>& environment, const std::filesystem::path& log) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));  // posix_spawn does not write to them
   }
@@ -44,10 +44,13 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
     variables[name] = value;
   }
   std::vector<std::string> lines;
+  lines.reserve(variables.size());
   for (const auto& [name, value] : variables) {
-    lines.push_back(name + "=" + value);
+    lines.push_back(name);
+    lines.back().append("=").append(value);
   }
   std::vector<char*> envp;
+  envp.reserve(lines.size() + 1);
   for (std::string& line : lines) {
     envp.push_back(line.data());
   }

@@ -35,6 +35,7 @@ struct LineInSignalSpec {
   double overshoot = 0.0, ringing_hz = 12000.0;
   bool anti_alias = false;
   double noise = 0.0;  // RMS, fraction of full scale
+  double hum = 0.0;    // amplitude on the left at 50 Hz, fraction of full scale
   int bits = 0;        // 0: floats
   bool left_inverted = false, right_inverted = false, swapped = false;
   std::uint64_t seed = 1;
@@ -188,7 +189,8 @@ inline LineInSignal make_line_in_signal(const LineInSignalSpec& spec) {
       const double t = (static_cast<double>(n) + 0.5) / spec.rate;
       double y = x[n] - (channel == 0 ? left_centre : right_centre);
       y *= spec.gain(t) * (channel == 0 ? spec.left_gain(t) : spec.right_gain(t)) * (inverted ? -1.0 : 1.0);
-      y += spec.dc_offset + (spec.noise > 0.0 ? spec.noise * normal(generator) : 0.0);
+      y += (channel == 0 ? spec.hum * std::sin(100.0 * std::numbers::pi * t) : 0.0) + spec.dc_offset +
+           (spec.noise > 0.0 ? spec.noise * normal(generator) : 0.0);
       if (spec.bits > 0) {
         const double steps = std::ldexp(1.0, spec.bits - 1);
         y = std::clamp(std::round(y * steps), -steps, steps - 1.0) / steps;

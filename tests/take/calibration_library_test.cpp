@@ -101,6 +101,21 @@ TEST_F(Library, OneSensorIsRepeatedAlone) {
   EXPECT_THAT(lookup.explanation, HasSubstr("of 2026-03-01 to 2026-04-01"));
 }
 
+TEST_F(Library, SavingWhatIsThereAlreadyAddsNothing) {
+  RigCalibration calibration = measured(rig, "2026-03-01T10:00:00Z", 0.1);
+  ASSERT_TRUE(library.save(rig, "Anna", calibration).ok());
+  ASSERT_TRUE(library.save(rig, "Anna", calibration).ok());
+  EXPECT_THAT(library.list().sensors, SizeIs(5));
+  EXPECT_THAT(library.list().mounts, SizeIs(1));
+  calibration.mounts[2] = measured(rig, "2026-03-02T10:00:00Z", 0.2).mounts[2];
+  ASSERT_TRUE(library.save(rig, "Anna", calibration).ok());
+  EXPECT_THAT(library.list().sensors, SizeIs(5));
+  ASSERT_THAT(library.list().mounts, SizeIs(2));
+  EXPECT_THAT(library.list().mounts[0].mounts, SizeIs(1));
+  ASSERT_TRUE(library.save(rig, "Ben", calibration).ok());
+  EXPECT_THAT(library.list().mounts, SizeIs(3)) << "another wearer's mounting is another one";
+}
+
 TEST_F(Library, NominalValuesAreNotCalibrations) {
   ASSERT_TRUE(library.save(rig, "Anna", calibrate::nominal_calibration(rig)).ok());
   EXPECT_THAT(library.list().sensors, IsEmpty());

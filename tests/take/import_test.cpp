@@ -99,6 +99,13 @@ TEST_F(Import, PartsOfDifferentRecordingsAreRefused) {
   EXPECT_FALSE(fs::exists(path));
 }
 
+TEST_F(Import, MoreThanTwoChannelsAreRefused) {
+  format.channels = 4;
+  test::write_audio(folder / "a.wav", SF_FORMAT_WAV, format, test::random_samples(format, 100));
+  EXPECT_THAT(import_recordings(path, {folder / "a.wav"}, rig, Progress()).error().text(),
+              HasSubstr("a.wav: the recording has 4 channels; export the two"));
+}
+
 TEST_F(Import, CancelledOrFailedLeavesNothing) {
   test::write_audio(folder / "a.wav", SF_FORMAT_WAV, format, test::random_samples(format, 200000));
   for (const int steps : {0, 1, 3}) {

@@ -49,7 +49,7 @@ class TimelineCanvas : public QWidget {
   [[nodiscard]] QPointF key_position(int lane, double time_s) const;
   [[nodiscard]] double ruler_middle() const;
 
-  [[nodiscard]] QSize sizeHint() const override { return {800, 150}; }
+  [[nodiscard]] QSize sizeHint() const override { return {800, 124}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 96}; }
 
  Q_SIGNALS:

@@ -79,7 +79,7 @@ std::string time_label(double time_s, double resolution_s) {
   for (double unit = 1.0; decimals < 3 && resolution_s < unit * 0.999; unit /= 10) {
     ++decimals;
   }
-  const auto scale = static_cast<std::int64_t>(std::pow(10.0, decimals) + 0.5);
+  const std::int64_t scale = std::llround(std::pow(10.0, decimals));
   const auto units = static_cast<std::int64_t>(std::llround(std::max(0.0, time_s) * static_cast<double>(scale)));
   const std::int64_t seconds = units / scale;
   const auto h = static_cast<int>(seconds / 3600);

@@ -86,6 +86,35 @@ void OrbitCamera::frame(const Eigen::Vector3d& centre, double radius, double asp
   distance_ = std::clamp(margin * radius / std::sin(std::min(half_vertical, half_horizontal)), 4 * kNearest, kFarthest);
 }
 
+void OrbitCamera::frame(const std::vector<Eigen::Vector3d>& points, double aspect) {
+  assert(aspect > 0);
+  if (points.empty()) {
+    return;
+  }
+  constexpr double kMargin = 1.15;
+  const double slope_up = std::tan(vertical_field_ / 2) / kMargin;
+  const double slope_right = aspect * slope_up;
+  Eigen::Matrix3d R_VW;
+  R_VW << right().transpose(), up().transpose(), forward().transpose();
+  // Seen from the camera every edge of the picture is a plane; the two opposite planes that just hold all points meet
+  // in a line, which says where the camera may stand. Of the two pairs the farther one decides.
+  double right_high = -1e300, right_low = -1e300, up_high = -1e300, up_low = -1e300;
+  double depth_sum = 0.0;
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3d v = R_VW * point;
+    right_high = std::max(right_high, v.x() - slope_right * v.z());
+    right_low = std::max(right_low, -v.x() - slope_right * v.z());
+    up_high = std::max(up_high, v.y() - slope_up * v.z());
+    up_low = std::max(up_low, -v.y() - slope_up * v.z());
+    depth_sum += v.z();
+  }
+  const double camera_depth =
+      std::min(-(right_high + right_low) / (2 * slope_right), -(up_high + up_low) / (2 * slope_up));
+  const Eigen::Vector3d camera_V((right_high - right_low) / 2, (up_high - up_low) / 2, camera_depth);
+  distance_ = std::clamp(depth_sum / static_cast<double>(points.size()) - camera_depth, 4 * kNearest, kFarthest);
+  target_ = R_VW.transpose() * (camera_V + Eigen::Vector3d(0, 0, distance_));
+}
+
 ViewRay OrbitCamera::ray(const Eigen::Vector2d& pixel, const Eigen::Vector2d& size) const {
   const double scale = 2 * std::tan(vertical_field_ / 2) / size.y();
   const double x = (pixel.x() - size.x() / 2) * scale;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <optional>
+#include <vector>
 
 namespace limbwave::ui {
 
@@ -43,6 +44,9 @@ class OrbitCamera {
   void look(ViewDirection direction);
   /// Centres on a sphere and goes as far away as it needs to be seen whole. Asserts that aspect (width / height) > 0.
   void frame(const Eigen::Vector3d& centre, double radius, double aspect);
+
+  /// Goes to where all points are seen, as near as that allows and in the middle, looking the same way.
+  void frame(const std::vector<Eigen::Vector3d>& points, double aspect);
 
   /// The ray through a pixel of a picture of this size.
   [[nodiscard]] ViewRay ray(const Eigen::Vector2d& pixel, const Eigen::Vector2d& size) const;

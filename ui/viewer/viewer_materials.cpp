@@ -163,7 +163,7 @@ QVector4D rgba(const QColor& color) {
 Qt3DRender::QGeometryRenderer* make_renderer(const TriangleMesh& mesh, Qt3DCore::QNode* parent) {
   QByteArray bytes;
   const std::size_t count = mesh.positions.size();
-  bytes.resize(static_cast<qsizetype>(count * 6 * sizeof(float)));
+  bytes.resize(static_cast<qsizetype>(count) * 6 * static_cast<qsizetype>(sizeof(float)));
   auto* out = reinterpret_cast<float*>(bytes.data());
   for (std::size_t i = 0; i < count; ++i) {
     for (const Eigen::Vector3f* v : {&mesh.positions[i], &mesh.normals[i]}) {

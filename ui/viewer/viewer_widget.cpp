@@ -55,6 +55,7 @@ struct ViewerWidget::Impl {
   std::vector<body::SegmentPose> poses;
   int selected = -1;
   bool floor = true, sensors = true, ghost = true;
+  std::vector<Eigen::Vector3d> extent;
   bool framed = false;  // Once a figure has been shown, the user's view stays.
   std::optional<bool> dark;
   QPointF pressed_at, last_at;
@@ -198,11 +199,27 @@ void ViewerWidget::look(ViewDirection direction) {
   update_camera();
 }
 
+void ViewerWidget::set_extent(std::vector<Eigen::Vector3d> points) {
+  const bool first = impl_->extent.empty() && !points.empty();
+  impl_->extent = std::move(points);
+  if (first) {
+    frame_all();
+  }
+}
+
 void ViewerWidget::frame_all() {
-  const Sphere sphere = bounds(impl_->skeleton, impl_->poses);
-  if (sphere.radius > 0) {
+  std::vector<Eigen::Vector3d> points = impl_->extent;
+  for (std::size_t i = 0; points.empty() && i < impl_->poses.size(); ++i) {
+    // A little around the bones: the pose is where the motion starts.
+    const Sphere sphere = bounds(impl_->skeleton, impl_->poses);
+    for (int axis = 0; axis < 3; ++axis) {
+      points.emplace_back(sphere.centre + 1.1 * sphere.radius * Eigen::Vector3d::Unit(axis));
+      points.emplace_back(sphere.centre - 1.1 * sphere.radius * Eigen::Vector3d::Unit(axis));
+    }
+  }
+  if (!points.empty()) {
     impl_->framed = isVisible();  // Before the first layout the shape of the picture is not known yet.
-    impl_->camera.frame(sphere.centre, 1.25 * sphere.radius, width() / std::max(1.0, static_cast<double>(height())));
+    impl_->camera.frame(points, width() / std::max(1.0, static_cast<double>(height())));
     update_camera();
   }
 }
@@ -246,7 +263,7 @@ void ViewerWidget::mousePressEvent(QMouseEvent* event) {
 void ViewerWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
   const QPointF by = at - impl_->last_at;
-  if (!impl_->moving && (at - impl_->pressed_at).manhattanLength() < QApplication::startDragDistance() / 2) {
+  if (!impl_->moving && (at - impl_->pressed_at).manhattanLength() < 0.5 * QApplication::startDragDistance()) {
     return;
   }
   impl_->moving = true;

@@ -56,6 +56,10 @@ class ViewerWidget : public QWidget {
   /// Background and colours; follows the palette by itself unless set here.
   void set_dark(bool dark);
 
+  /// What "everything" is for framing: points of a whole motion, metres. Without any, the present pose. The first ones
+  /// also place the camera.
+  void set_extent(std::vector<Eigen::Vector3d> points);
+
   void look(ViewDirection direction);
   /// Centres the selected bone, or everything when none is selected.
   void frame_selection();

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "common/format.h"
@@ -35,10 +36,12 @@ JobBar::JobBar(JobRunner& jobs, QWidget* parent) : QWidget(parent), rows_(new QV
   rows_->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
   rows_->setSpacing(kGrid / 2);
   hide();
-  connect(&jobs, &JobRunner::job_started, this, [this](Job* job) {
+  connect(&jobs, &JobRunner::job_started, this, [this, &jobs](Job* job) {
     const QPointer<Job> guard(job);
-    QTimer::singleShot(300, this, [this, guard] {
-      if (guard) {
+    QTimer::singleShot(300, this, [this, guard, &jobs] {
+      // A job that has ended lives on until the event loop deletes it.
+      const std::vector<Job*> running = jobs.jobs();
+      if (guard && std::find(running.begin(), running.end(), guard.data()) != running.end()) {
         show_job(guard);
       }
     });

@@ -75,6 +75,30 @@ TEST(OrbitCamera, FramedSphereFitsInTallAndWidePictures) {
   }
 }
 
+TEST(OrbitCamera, FramedPointsFillThePictureAndStayInside) {
+  const std::vector<Vector3d> points{{0, 0, 1.0}, {0.3, 0.1, 1.4}, {-0.2, 0.5, 0.9}, {0.1, -0.7, 1.1}};
+  for (const Vector2d& size : {Vector2d(800, 600), Vector2d(300, 900), Vector2d(1600, 300)}) {
+    for (const double yaw : {0.0, 1.1, 2.9}) {
+      OrbitCamera camera;
+      camera.orbit(yaw, 0.4);
+      const Vector3d forward = camera.forward();
+      camera.frame(points, size.x() / size.y());
+      EXPECT_LT((camera.forward() - forward).norm(), 1e-12);
+      double farthest = 0;
+      for (const Vector3d& point : points) {
+        const auto pixel = camera.project(point, size);
+        ASSERT_TRUE(pixel.has_value());
+        farthest = std::max(farthest, (*pixel - size / 2).cwiseQuotient(size / 2).cwiseAbs().maxCoeff());
+      }
+      EXPECT_LT(farthest, 1.0);
+      EXPECT_NEAR(farthest, 1 / 1.15, 1e-6);
+    }
+  }
+  OrbitCamera camera;
+  camera.frame(std::vector<Vector3d>{}, 1.0);
+  EXPECT_DOUBLE_EQ(camera.distance(), OrbitCamera().distance());
+}
+
 TEST(OrbitCamera, ViewsLookAlongTheAxes) {
   OrbitCamera camera;
   camera.look(ViewDirection::kFront);  // The subject faces +x: the camera stands there and looks back.

@@ -20,7 +20,7 @@ struct Export {
 
 std::vector<ExportFormat> export_formats() {
   return {{QStringLiteral("bvh"), Export::tr("BVH"), QStringLiteral(".bvh"),
-           Export::tr("Skeleton and motion as text. Blender, Maya, MotionBuilder and many others read it.")}};
+           Export::tr("Skeleton and motion as text, for Blender, Maya, MotionBuilder and others")}};
 }
 
 const std::vector<double>& export_rates() {

@@ -76,13 +76,13 @@ QWidget* ExportWorkspace::make_source_rows() {
     formats_->addItem(one.title, one.id);
   }
   format_hint_ = dim_label({}, rows);
-  format_hint_->setWordWrap(true);
   rates_ = new QComboBox(rows);
   for (const double rate : export_rates()) {
     rates_->addItem(tr("%1 frames a second").arg(rate), rate);
   }
   rates_->addItem(tr("Another rate"), 0.0);
   custom_rate_ = new QDoubleSpinBox(rows);
+  custom_rate_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   custom_rate_->setRange(kLowestRate, kHighestRate);
   custom_rate_->setDecimals(3);
   custom_rate_->setSuffix(tr(" Hz"));

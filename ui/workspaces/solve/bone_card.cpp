@@ -59,6 +59,7 @@ void BoneCard::build() {
   bones_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   bones_->setMinimumContentsLength(8);
   length_ = new QDoubleSpinBox(this);
+  length_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   length_->setRange(10.0, 2000.0);
   length_->setDecimals(1);
   length_->setSuffix(tr(" mm"));
@@ -66,6 +67,7 @@ void BoneCard::build() {
   length_->setKeyboardTracking(false);
   length_->setAccessibleName(tr("Length of the bone in millimetres"));
   heading_ = new QDoubleSpinBox(this);
+  heading_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   heading_->setRange(-3600.0, 3600.0);
   heading_->setDecimals(1);
   heading_->setSuffix(tr("°"));

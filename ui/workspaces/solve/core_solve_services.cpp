@@ -8,6 +8,19 @@ SolveServices core_solve_services() {
   services.save = solve::save_solve;
   services.load = solve::load_solve;
   services.list = solve::list_solves;
+  services.load_truth = [](const take::Take& take) -> Result<std::optional<evaluate::Truth>> {
+    const std::filesystem::path file = take.folder / "truth.json";
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) {
+      return std::optional<evaluate::Truth>();
+    }
+    Result<evaluate::Truth> truth = evaluate::load_truth(file);
+    if (!truth) {
+      return truth.error();
+    }
+    return std::optional<evaluate::Truth>(std::move(truth).value());
+  };
+  services.evaluate = evaluate::evaluate;
   services.write_bvh = interchange::write_bvh;
   return services;
 }

@@ -24,8 +24,8 @@ class CurvesPanel : public QWidget {
   /// Highlights the rows of a segment; -1: none.
   void select_segment(int segment);
 
-  [[nodiscard]] QSize sizeHint() const override { return {720, 220}; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 96}; }
+  [[nodiscard]] QSize sizeHint() const override { return {720, 212}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 132}; }
 
  Q_SIGNALS:
   void segment_clicked(int segment);

@@ -94,7 +94,8 @@ void QualityCard::rebuild() {
     return;
   }
   const solve::QualityReport& report = model_.solve()->report;
-  add_verdict(layout, overall_verdict(report), true, content);
+  const Verdict headline = overall_verdict(report);
+  add_verdict(layout, headline, true, content);
 
   QGridLayout* grid = table({tr("Sensor"), tr("usable"), tr("trusted"), tr("at rest")}, content);
   int line = 1;
@@ -117,7 +118,18 @@ void QualityCard::rebuild() {
   }
   layout->addLayout(grid);
 
-  add_verdict(layout, line_verdict(report.line), false, content);
+  std::vector<Verdict> verdicts;
+  for (const solve::SensorQuality& sensor : report.sensors) {
+    verdicts.push_back(sensor_verdict(sensor));
+  }
+  verdicts.push_back(line_verdict(report.line));
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    // Good sensors stand in the table already, and nothing is said twice.
+    const bool is_line = i + 1 == verdicts.size();
+    if ((is_line || verdicts[i].tone != Tone::kGood) && verdicts[i].text != headline.text) {
+      add_verdict(layout, verdicts[i], false, content);
+    }
+  }
   for (const QString& fact : line_facts(report.line)) {
     QLabel* label = dim_label(fact, content);
     label->setWordWrap(true);

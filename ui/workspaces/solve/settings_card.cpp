@@ -39,6 +39,7 @@ void SettingsCard::build() {
     smoothing_->setItemData(smoothing_->count() - 1, smoothing_hint(kind), Qt::ToolTipRole);
   }
   strength_ = new QSpinBox(this);
+  strength_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   strength_->setRange(kWeakest, kStrongest);
   strength_->setSuffix(tr(" ms"));
   strength_->setSingleStep(10);

@@ -58,11 +58,11 @@ std::vector<body::SegmentPose> truth_pose(const evaluate::Truth& truth, const bo
     const body::Segment& segment = skeleton.segments[i];
     const auto known = std::find_if(truth.segments.begin(), truth.segments.end(),
                                     [&](const auto& one) { return one.name == segment.name && !one.times.empty(); });
+    if (segment.parent >= 0) {
+      const body::SegmentPose& parent = poses[static_cast<std::size_t>(segment.parent)];
+      poses[i] = {parent.R_WL * segment.R_PL_rest, parent.p_WL + parent.R_WL * segment.p_PL};
+    }
     if (known == truth.segments.end()) {
-      if (segment.parent >= 0) {
-        const body::SegmentPose& parent = poses[static_cast<std::size_t>(segment.parent)];
-        poses[i] = {parent.R_WL * segment.R_PL_rest, parent.p_WL + parent.R_WL * segment.p_PL};
-      }
       continue;
     }
     const auto after = std::upper_bound(known->times.begin(), known->times.end(), take_time_s);
@@ -71,9 +71,27 @@ std::vector<body::SegmentPose> truth_pose(const evaluate::Truth& truth, const bo
     const std::size_t a = b > 0 ? b - 1 : 0;
     const double span = known->times[b] - known->times[a];
     const double part = span > 0.0 ? std::clamp((take_time_s - known->times[a]) / span, 0.0, 1.0) : 0.0;
-    poses[i] = {known->R_WL[a].slerp(part, known->R_WL[b]), known->p_WL[a] + part * (known->p_WL[b] - known->p_WL[a])};
+    poses[i].R_WL = known->R_WL[a].slerp(part, known->R_WL[b]);
+    const Vector3d position = known->p_WL[a] + part * (known->p_WL[b] - known->p_WL[a]);
+    if (position.allFinite()) {
+      poses[i].p_WL = position;
+    }
   }
   return poses;
+}
+
+std::vector<Vector3d> motion_extent(const motion::Clip& clip, int instants) {
+  assert(instants > 1);
+  std::vector<Vector3d> points;
+  std::vector<body::SegmentPose> poses;
+  for (int i = 0; i < instants; ++i) {
+    motion::pose_at(clip, clip.duration() * i / (instants - 1), poses);
+    for (std::size_t s = 0; s < poses.size(); ++s) {
+      points.push_back(poses[s].p_WL);
+      points.emplace_back(poses[s].p_WL + poses[s].R_WL * Vector3d(clip.skeleton.segments[s].length, 0, 0));
+    }
+  }
+  return points;
 }
 
 std::vector<std::vector<float>> elevations(const motion::Clip& clip, const std::vector<int>& segments) {

@@ -26,6 +26,9 @@ std::vector<bool> segments_with_sensors(const body::Rig& rig, const body::Skelet
 std::vector<body::SegmentPose> truth_pose(const evaluate::Truth& truth, const body::Skeleton& skeleton,
                                           double take_time_s);
 
+/// Both ends of all bones at `instants` times spread over the clip, metres.
+std::vector<Eigen::Vector3d> motion_extent(const motion::Clip& clip, int instants);
+
 /// Elevation of a bone over the horizontal at every key of the clip's root, degrees; one list per segment asked for.
 /// Headings do not change it.
 std::vector<std::vector<float>> elevations(const motion::Clip& clip, const std::vector<int>& segments);

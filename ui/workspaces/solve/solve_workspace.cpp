@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -21,6 +20,7 @@
 #include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/quality_text.h"
 #include "workspaces/solve/settings_card.h"
+#include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui {
 
@@ -64,19 +64,10 @@ QWidget* SolveWorkspace::make_toolbar() {
   row->setSpacing(4);
   status_ = new ElidedLabel({}, bar);
   status_->setFont(tabular(font()));
-  progress_ = new QProgressBar(bar);
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->setFixedWidth(20 * kGrid);
-  progress_->setFixedHeight(6);
-  progress_->setAccessibleName(tr("Progress of solving"));
-  cancel_ = new QPushButton(tr("Cancel"), bar);
   live_button_ = new QPushButton(tr("Live"), bar);
   live_button_->setCheckable(true);
   live_button_->setToolTip(tr("Show what is being captured instead of the take"));
   row->addWidget(status_, 1);
-  row->addWidget(progress_);
-  row->addWidget(cancel_);
   row->addWidget(live_button_);
   row->addSpacing(kGrid);
   const auto view = [&](const QString& text, const QString& keys, ViewDirection direction) {
@@ -104,7 +95,6 @@ QWidget* SolveWorkspace::make_toolbar() {
   toggle(QStringLiteral("sensor"), tr("Show the sensors"), [this](bool on) { viewer_->set_sensors_visible(on); });
   ghost_ = toggle(QStringLiteral("person"), tr("Show the truth of this simulated take"),
                   [this](bool on) { viewer_->set_ghost_visible(on); });
-  connect(cancel_, &QPushButton::clicked, this, [this] { model_.cancel(); });
   connect(live_button_, &QPushButton::clicked, this, &SolveWorkspace::set_live);
   return bar;
 }
@@ -121,8 +111,9 @@ QWidget* SolveWorkspace::make_main_page() {
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(viewer_);
   splitter->addWidget(curves_);
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 1);
+  splitter->setStretchFactor(0, 1);
+  splitter->setStretchFactor(1, 0);
+  splitter->setSizes({480, curves_->sizeHint().height()});
   layout->addWidget(splitter, 1);
   return page;
 }
@@ -217,9 +208,7 @@ void SolveWorkspace::show_state() {
   const bool busy = state == SolveState::kSolving || state == SolveState::kLoading;
   const bool figure = live_ || (state != SolveState::kNoTake && (model_.solve() || busy));
   pages_->setCurrentWidget(figure ? main_page_ : empty_);
-  curves_->setVisible(!live_);
-  progress_->setVisible(busy && !live_);
-  cancel_->setVisible(state == SolveState::kSolving && !live_);
+  curves_->setVisible(!live_ && model_.solve());
   ghost_->setVisible(model_.has_truth() && !live_);
   if (state == SolveState::kNoTake) {
     empty_->set_texts(tr("No take is open"), tr("Capture one, open one, or try a demo from the first page."));
@@ -246,23 +235,12 @@ void SolveWorkspace::show_state() {
   }
   if (busy) {
     status_->set_text(state == SolveState::kLoading ? tr("Reading the solve…") : tr("Solving…"));
-    progress_->setValue(0);
-    Job* job = model_.job();
-    if (job != nullptr && job != watched_) {
-      watched_ = job;
-      connect(job, &Job::changed, this, [this, job] {
-        progress_->setValue(static_cast<int>(1000 * job->fraction()));
-        const double left = job->left_s();
-        status_->set_text(left < 0.0 ? tr("Solving… %1").arg(job->step())
-                                     : tr("Solving… %1, %2 left").arg(job->step(), format_left(left)));
-      });
-    }
   } else if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
     const std::size_t frames = clip.joints.empty() ? 0 : clip.joints.front().rotation.times.size();
-    status_->set_text(tr("%1: %2 of motion, %3 frames at %4 Hz, %5 smoothing")
-                          .arg(context_.document().name(), format_clock_tenths(clip.duration()),
-                               locale().toString(qulonglong(frames)), locale().toString(clip.frame_rate_hz, 'f', 2),
+    status_->set_text(tr("%1 of motion, %2 frames at %3 Hz, smoothing: %4")
+                          .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
+                               locale().toString(clip.frame_rate_hz, 'f', 2),
                                smoothing_name(model_.solve()->settings.smoothing).toLower()));
   }
 }
@@ -279,6 +257,7 @@ void SolveWorkspace::show_figure() {
   }
   if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
+    viewer_->set_extent(motion_extent(clip, 60));
     curves_->set_curves(model_.curves(),
                         clip.joints.empty() ? std::vector<double>() : clip.joints.front().rotation.times);
   } else {

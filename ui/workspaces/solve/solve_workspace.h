@@ -1,7 +1,6 @@
 /// The Solve workspace: the figure, the curves under it, and what the inspector says about them.
 #pragma once
 
-#include <QPointer>
 #include <QTimer>
 #include <vector>
 
@@ -10,7 +9,7 @@
 #include "workspaces/solve/solve_model.h"
 #include "workspaces/workspace.h"
 
-class QProgressBar;
+class QPushButton;
 class QStackedWidget;
 class QToolButton;
 
@@ -57,10 +56,8 @@ class SolveWorkspace : public Workspace {
   ViewerWidget* viewer_ = nullptr;
   CurvesPanel* curves_ = nullptr;
   ElidedLabel* status_ = nullptr;
-  QProgressBar* progress_ = nullptr;
-  QPushButton *cancel_ = nullptr, *live_button_ = nullptr;
+  QPushButton* live_button_ = nullptr;
   QToolButton* ghost_ = nullptr;
-  QPointer<Job> watched_;  ///< Whose progress is shown.
   QTimer live_timer_;
   std::uint64_t live_version_ = 0;
   bool live_ = false, active_ = false;

@@ -1,0 +1,395 @@
+/// The Solve workspace with made-up solves, a running capture, and a simulated take from disk to picture.
+#include "workspaces/solve/solve_workspace.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTest>
+
+#include "base/units.h"
+#include "simulate/simulate.h"
+#include "ui/support/solve_fixture.h"
+#include "workspaces/solve/bone_card.h"
+#include "workspaces/solve/quality_card.h"
+#include "workspaces/solve/settings_card.h"
+
+namespace limbwave::ui::testing {
+
+namespace {
+
+/// A capture whose pose is always one frame old.
+class FakeCapture : public LiveBackend {
+ public:
+  explicit FakeCapture(body::Skeleton skeleton) : skeleton_(std::move(skeleton)) {}
+  Status start() override { return {}; }
+  void stop() override {}
+  Status start_recording(const std::filesystem::path&, const std::string&) override { return {}; }
+  Result<take::Take> stop_recording() override { return take::Take{}; }
+  void mark(const std::string&) override {}
+  void set_calibration(const calibrate::RigCalibration&) override {}
+  void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
+  [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
+    auto made = std::make_shared<solve::LiveSnapshot>();
+    made->version = ++version_;
+    const std::vector<double> now{steady_now_s()};
+    std::vector<body::Quaterniond> R;
+    for (const auto& list : made_up_motion(skeleton_, now)) {
+      R.push_back(list.front());
+    }
+    made->pose = body::poses_from_orientations(skeleton_, R, skeleton_.segments.front().p_PL);
+    made->pose_capture_time_s = now.front() - 0.017;
+    return made;
+  }
+
+ private:
+  body::Skeleton skeleton_;
+  mutable std::uint64_t version_ = 0;
+};
+
+class SilentSource : public acquire::LiveSource {
+ public:
+  [[nodiscard]] acquire::StreamFormat format() const override { return {}; }
+  [[nodiscard]] std::string title() const override { return "fake"; }
+  Status start() override { return {}; }
+  void stop() override {}
+  std::size_t pull(std::span<std::byte>) override { return 0; }
+  [[nodiscard]] acquire::SourceCounters counters() const override { return {}; }
+  [[nodiscard]] bool alive() const override { return true; }
+  [[nodiscard]] double device_latency_s() const override { return 0.0; }
+  [[nodiscard]] double newest_frame_time_s() const override { return 0.0; }
+};
+
+StudioServices capture_services() {
+  StudioServices services;
+  services.load_rig = [](const std::string& name, const std::string&) -> Result<solve::LiveSettings> {
+    solve::LiveSettings settings;
+    settings.rig = body::load_rig(name).value();
+    settings.skeleton = body::load_skeleton(settings.rig.skeleton).value();
+    return settings;
+  };
+  services.open_device = [](const std::string&, const acquire::StreamFormat&,
+                            const std::string&) -> Result<std::unique_ptr<acquire::LiveSource>> {
+    return std::unique_ptr<acquire::LiveSource>(std::make_unique<SilentSource>());
+  };
+  services.make_live = [](std::unique_ptr<acquire::LiveSource>, solve::LiveSettings settings) {
+    return std::unique_ptr<LiveBackend>(std::make_unique<FakeCapture>(settings.skeleton));
+  };
+  return services;
+}
+
+}  // namespace
+
+class SolveWorkspaceTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<FakeSolving> solving_;
+  std::unique_ptr<SolveStudio> studio_;
+
+  void start(StudioServices services = {}) {
+    solving_ = std::make_unique<FakeSolving>();
+    studio_ = std::make_unique<SolveStudio>(solving_->services(), std::move(services));
+    QVERIFY(QTest::qWaitForWindowExposed(studio_->window.get()));
+  }
+  void open(const QString& name = QStringLiteral("swing.take")) {
+    studio_->context->document().set(made_up_take(studio_->take_folder(name), solving_->seconds));
+    QTRY_COMPARE(studio_->window->current_workspace(), QStringLiteral("solve"));
+  }
+  void open_solved() {
+    start();
+    open();
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+  }
+  [[nodiscard]] SolveModel& model() const { return *studio_->model; }
+  [[nodiscard]] SolveWorkspace& workspace() const {
+    return *qobject_cast<SolveWorkspace*>(studio_->window->workspace(QStringLiteral("solve")));
+  }
+  template <typename T>
+  [[nodiscard]] T* find(const QString& accessible_name) const {
+    for (T* widget : studio_->window->findChildren<T*>()) {
+      if (widget->accessibleName() == accessible_name) {
+        return widget;
+      }
+    }
+    return nullptr;
+  }
+  [[nodiscard]] QPushButton* button(const QString& text) const {
+    for (QPushButton* one : studio_->window->findChildren<QPushButton*>()) {
+      if (one->text() == text && one->isVisible()) {
+        return one;
+      }
+    }
+    return nullptr;
+  }
+  [[nodiscard]] bool says(const QString& text) const {
+    for (QLabel* label : studio_->window->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(text)) {
+        return true;
+      }
+    }
+    return false;
+  }
+  void save(const QString& name) const { QVERIFY(studio_->screen().save(screenshot_path(name))); }
+  // Heading of a segment in the viewer: angle of its bone about the vertical.
+  [[nodiscard]] double azimuth(int segment) const {
+    const Eigen::Vector3d x =
+        workspace().viewer().pose()[static_cast<std::size_t>(segment)].R_WL * Eigen::Vector3d::UnitX();
+    return std::atan2(x.y(), x.x());
+  }
+
+ private Q_SLOTS:
+  void init() { apply_theme(*qApp, ThemeKind::kDark); }
+  void cleanup() {
+    studio_.reset();
+    solving_.reset();
+  }
+
+  void without_a_take_it_says_what_to_do() {
+    start();
+    studio_->window->show_workspace(QStringLiteral("solve"));
+    QVERIFY(says(QStringLiteral("No take is open")));
+    save(QStringLiteral("solve-empty"));
+  }
+
+  void opening_a_take_without_a_solve_solves_and_saves_it() {
+    open_solved();
+    QCOMPARE(solving_->solved.load(), 1);
+    QCOMPARE(solving_->loaded.load(), 0);
+    QTRY_COMPARE(solving_->saved.load(), 1);
+    QVERIFY(std::abs(studio_->context->time().duration_s() - 8.0) < 0.02);
+    QTRY_VERIFY(says(QStringLiteral("every sensor was heard")));
+    // Opened again, it is read and not solved.
+    open(QStringLiteral("other.take"));
+    QTRY_COMPARE(solving_->loaded.load(), 1);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QCOMPARE(solving_->solved.load(), 1);
+  }
+
+  void the_viewer_follows_the_playhead() {
+    open_solved();
+    const auto before = workspace().viewer().pose();
+    studio_->context->time().set_playhead(2.0);
+    QVERIFY(before[2].R_WL.angularDistance(workspace().viewer().pose()[2].R_WL) > 0.2);
+  }
+
+  void a_bone_selected_anywhere_is_selected_everywhere() {
+    open_solved();
+    Q_EMIT workspace().viewer().segment_clicked(2);
+    QCOMPARE(studio_->context->selection().index_of(SelectionKind::kSegment), 2);
+    QCOMPARE(workspace().viewer().selected(), 2);
+    QCOMPARE(find<QComboBox>(QStringLiteral("Selected bone"))->currentText(), QStringLiteral("forearm"));
+    studio_->context->selection().select(SelectionKind::kSensor, 1);
+    QCOMPARE(workspace().viewer().selected(), 1);
+    Q_EMIT workspace().viewer().segment_clicked(-1);
+    QCOMPARE(workspace().viewer().selected(), -1);
+  }
+
+  void turning_a_bone_sets_a_key_at_once_and_can_be_undone() {
+    open_solved();
+    TimeModel& time = studio_->context->time();
+    time.set_playhead(2.0);
+    studio_->context->selection().select(SelectionKind::kSegment, 2);
+    const double before = azimuth(2);
+    auto* box = find<QDoubleSpinBox>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
+    QVERIFY(box != nullptr && box->isEnabled());
+    box->setValue(40.0);
+    QVERIFY(std::abs(azimuth(2) - before - radians(40.0)) < 1e-6);
+    QCOMPARE(solving_->solved.load(), 1);  // No new solve.
+    time.set_playhead(4.0);
+    box->setValue(-20.0);
+    time.set_playhead(3.0);
+    QVERIFY(std::abs(box->value() - 10.0) < 1e-6);  // Half way between the two keys.
+    auto* list = find<QListWidget>(QStringLiteral("Keys of the rotation about the vertical"));
+    QCOMPARE(list->count(), 2);
+    QUndoStack& undo = studio_->context->undo_stack();
+    QCOMPARE(undo.count(), 2);
+    undo.undo();
+    undo.undo();
+    time.set_playhead(2.0);
+    QVERIFY(std::abs(azimuth(2) - before) < 1e-6);
+    QCOMPARE(list->count(), 0);
+    undo.redo();
+    QVERIFY(std::abs(azimuth(2) - before - radians(40.0)) < 1e-6);
+    // Kept with the solve.
+    QTRY_VERIFY(solving_->saved.load() >= 2);
+    const std::lock_guard lock(solving_->mutex);
+    QCOMPARE(solving_->stored->settings.headings[2].size(), std::size_t{1});
+    const auto pose = motion::pose_at(solving_->stored->clip, 2.0);
+    QVERIFY(pose[2].R_WL.angularDistance(workspace().viewer().pose()[2].R_WL) < 1e-6);
+  }
+
+  void a_slider_held_is_one_step_of_undo() {
+    open_solved();
+    studio_->context->selection().select(SelectionKind::kSegment, 1);
+    auto* slider = find<QSlider>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
+    QVERIFY(slider != nullptr);
+    slider->setSliderDown(true);
+    for (const int steps : {100, 200, 300}) {
+      slider->setSliderPosition(steps);
+    }
+    slider->setSliderDown(false);
+    QCOMPARE(studio_->context->undo_stack().count(), 1);
+    QVERIFY(std::abs(model().keys().value_at(1, 0.0) - radians(30.0)) < 1e-9);
+  }
+
+  void length_changes_at_once_and_can_be_undone() {
+    open_solved();
+    studio_->context->selection().select(SelectionKind::kSegment, 1);
+    auto* box = find<QDoubleSpinBox>(QStringLiteral("Length of the bone in millimetres"));
+    const double before = box->value();
+    const Eigen::Vector3d elbow = workspace().viewer().pose()[2].p_WL;
+    box->setValue(before + 50.0);
+    QVERIFY(std::abs((workspace().viewer().pose()[2].p_WL - elbow).norm() - 0.05) < 1e-6);
+    QCOMPARE(solving_->solved.load(), 1);
+    studio_->context->undo_stack().undo();
+    QVERIFY((workspace().viewer().pose()[2].p_WL - elbow).norm() < 1e-9);
+    QVERIFY(std::abs(box->value() - before) < 0.05);
+    studio_->context->undo_stack().redo();
+    // Survives a new solve and reaches the disk.
+    model().start();
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QVERIFY(std::abs(model().skeleton().segments[1].length - (before + 50.0) / 1000.0) < 1e-9);
+    const std::lock_guard lock(solving_->mutex);
+    QVERIFY(std::abs(solving_->stored->clip.skeleton.segments[1].length - (before + 50.0) / 1000.0) < 1e-9);
+  }
+
+  void smoothing_solves_again_and_undo_does_too() {
+    open_solved();
+    const double playhead = 3.0;
+    studio_->context->time().set_playhead(playhead);
+    auto* box = find<QComboBox>(QStringLiteral("Smoothing"));
+    box->setCurrentIndex(box->findText(QStringLiteral("None")));
+    Q_EMIT box->activated(box->currentIndex());
+    QTRY_COMPARE(solving_->solved.load(), 2);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QCOMPARE(model().solve()->settings.smoothing, solve::Smoothing::kNone);
+    QCOMPARE(studio_->context->time().playhead_s(), playhead);  // One keeps one's place.
+    studio_->context->undo_stack().undo();
+    QTRY_COMPARE(solving_->solved.load(), 3);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QCOMPARE(model().solve()->settings.smoothing, solve::Smoothing::kBridging);
+    auto* strength = find<QSpinBox>(QStringLiteral("Time scale of the smoothing in milliseconds"));
+    strength->setValue(200);
+    QTRY_COMPARE(solving_->solved.load(), 4);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QVERIFY(std::abs(model().solve()->settings.smoothing_s - 0.2) < 1e-9);
+  }
+
+  void solving_shows_progress_and_can_be_cancelled() {
+    start();
+    solving_->block = true;
+    open();
+    QTRY_COMPARE(model().state(), SolveState::kSolving);
+    QTest::qWait(600);
+    save(QStringLiteral("solve-progress"));
+    QTest::mouseClick(button(QStringLiteral("Cancel solving")), Qt::LeftButton);
+    QTRY_COMPARE(model().state(), SolveState::kFailed);
+    QVERIFY(says(QStringLiteral("Solving was cancelled")));
+    solving_->block = false;
+    QTest::mouseClick(button(QStringLiteral("Try again")), Qt::LeftButton);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+  }
+
+  void failures_are_sentences_with_a_remedy() {
+    start();
+    solving_->failure = Error{"the right channel carries no counter signal", "swing.take/signal.wav",
+                              "check that both plugs of the stereo cable are in, then record again"};
+    open();
+    QTRY_COMPARE(model().state(), SolveState::kFailed);
+    QVERIFY(says(QStringLiteral("The right channel carries no counter signal")));
+    QVERIFY(says(QStringLiteral("Check that both plugs")));
+    save(QStringLiteral("solve-error"));
+  }
+
+  void a_bad_report_names_sensors_and_remedies() {
+    start();
+    SolveServices services = solving_->services();
+    open_solved();
+    solve::Solve bad = *model().solve();
+    bad.report.sensors[1] = {bad.report.sensors[1].sensor, 0.61, 0.3, 1.2};
+    bad.report.sensors[3].mean_norm_g = 1.08;
+    bad.report.line.lost_cycles = 20;
+    bad.report.line.left_coupling_hz = 4.97;
+    bad.report.line.coupling_sd_hz = 0.02;
+    bad.report.line.noise = 0.001;
+    bad.report.diagnostics = {{Severity::kWarning, "line-in.gain-changed", "the volume was moved by a factor of 0.5",
+                               "leave the volume alone during a take", "", 4.2}};
+    {
+      const std::lock_guard lock(solving_->mutex);
+      solving_->stored = bad;
+    }
+    open(QStringLiteral("a-take-with-a-very-long-name-that-somebody-typed-late-at-night-in-the-studio.take"));
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QTRY_VERIFY(says(QStringLiteral("61 %")));
+    QVERIFY(says(QStringLiteral("Check its plug and cable")));
+    QVERIFY(says(QStringLiteral("Leave the volume alone")));
+    studio_->context->selection().select(SelectionKind::kSegment, 2);
+    save(QStringLiteral("solve-bad-report"));
+  }
+
+  void edits_of_one_take_are_saved_before_another_opens() {
+    open_solved();
+    const int before = solving_->saved.load();
+    QVERIFY(model().change_length(1, 0.31));
+    open(QStringLiteral("other.take"));
+    QTRY_VERIFY(solving_->saved.load() > before);
+    QVERIFY(!studio_->context->undo_stack().canUndo());
+  }
+
+  void live_capture_moves_the_figure_and_measures_its_latency() {
+    start(capture_services());
+    studio_->window->show_workspace(QStringLiteral("solve"));
+    QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
+    QTRY_VERIFY(workspace().shows_live());
+    QSignalSpy frames(&workspace().viewer(), &ViewerWidget::frame_rendered);
+    QTRY_VERIFY(frames.size() > 30);
+    // Includes the 17 ms that the pose is old before the viewer gets it.
+    const double mean = studio_->context->live().latency_mean_s();
+    QVERIFY(mean > 0.017);
+    const Eigen::Vector3d then = workspace().viewer().pose()[3].p_WL;
+    QTRY_VERIFY((workspace().viewer().pose()[3].p_WL - then).norm() > 0.01);
+    qInfo("capture to screen: %.1f ms mean, %.1f ms at most, of which 17 ms are the made-up age of the pose",
+          1e3 * mean, 1e3 * studio_->context->live().latency_max_s());
+    save(QStringLiteral("solve-live"));
+    studio_->context->live().close();
+    QTRY_VERIFY(!workspace().shows_live());
+  }
+
+  void simulated_take_from_disk_to_picture() {
+    solving_ = std::make_unique<FakeSolving>();
+    studio_ = std::make_unique<SolveStudio>(core_solve_services());
+    QVERIFY(QTest::qWaitForWindowExposed(studio_->window.get()));
+    simulate::SimulateSettings settings;
+    settings.errors = simulate::load_errors("paper").value();
+    settings.errors_name = "paper";
+    const QString folder = studio_->take_folder(QStringLiteral("wave.take"));
+    const Status made = simulate::simulate_take(folder.toStdString(), settings, {});
+    QVERIFY2(made.ok(), made ? "" : made.error().text().c_str());
+    studio_->context->document().set(take::open_take(folder.toStdString()).value());
+    QTRY_COMPARE_WITH_TIMEOUT(model().state(), SolveState::kSolved, 60000);
+    QVERIFY(model().has_truth());
+    QVERIFY(model().evaluation().has_value());
+    TimeModel& time = studio_->context->time();
+    time.set_playhead(0.45 * time.duration_s());
+    studio_->context->selection().select(SelectionKind::kSegment, 2);
+    QVERIFY(model().key_editor().set_value(2, 0.2 * time.duration_s(), 0.0));
+    QVERIFY(model().key_editor().set_value(2, 0.5 * time.duration_s(), radians(25.0)));
+    save(QStringLiteral("solve-dark"));
+    apply_theme(*qApp, ThemeKind::kLight);
+    save(QStringLiteral("solve-light"));
+    studio_->window->show_workspace(QStringLiteral("export"));
+    save(QStringLiteral("export-light"));
+    apply_theme(*qApp, ThemeKind::kDark);
+    save(QStringLiteral("export-dark"));
+  }
+};
+
+}  // namespace limbwave::ui::testing
+
+QTEST_MAIN(limbwave::ui::testing::SolveWorkspaceTest)
+#include "solve_workspace_test.moc"
