@@ -91,6 +91,29 @@
         </message>
     </context>
     <context>
+        <name>Health</name>
+        <message>
+            <source>not heard yet</source>
+            <translation>noch nicht gehört</translation>
+        </message>
+        <message>
+            <source>good</source>
+            <translation>gut</translation>
+        </message>
+        <message>
+            <source>reads nothing; check that the sensor is plugged in</source>
+            <translation>misst nichts; prüfen Sie, ob der Sensor eingesteckt ist</translation>
+        </message>
+        <message>
+            <source>no readings yet</source>
+            <translation>noch keine Messwerte</translation>
+        </message>
+        <message>
+            <source>works, but was never calibrated; calibrate its range</source>
+            <translation>arbeitet, wurde aber nie kalibriert; kalibrieren Sie seinen Messbereich</translation>
+        </message>
+    </context>
+    <context>
         <name>LevelAdvice</name>
         <message>
             <source>Nothing comes in</source>
@@ -1196,6 +1219,10 @@
             <source>The signal cannot be shown</source>
             <translation>Das Signal lässt sich nicht zeigen</translation>
         </message>
+        <message>
+            <source>What is being recorded</source>
+            <translation>Was gerade aufgenommen wird</translation>
+        </message>
     </context>
     <context>
         <name>limbwave::ui::OverviewView</name>
@@ -1405,10 +1432,6 @@
         <message>
             <source>Accelerations and health of every sensor</source>
             <translation>Beschleunigungen und Zustand jedes Sensors</translation>
-        </message>
-        <message>
-            <source>not heard yet</source>
-            <translation>noch nicht gehört</translation>
         </message>
         <message>
             <source>x axis, m/s²</source>

@@ -29,6 +29,15 @@ void OverviewView::set_overview(std::shared_ptr<const TakeOverview> overview) {
   overview_ = std::move(overview);
   begin_s_ = 0.0;
   end_s_ = overview_ ? overview_->seconds() : 0.0;
+  all_ = true;
+  update();
+}
+
+void OverviewView::grown() {
+  if (all_ && overview_) {
+    begin_s_ = 0.0;
+    end_s_ = overview_->seconds();
+  }
   update();
 }
 
@@ -44,6 +53,7 @@ void OverviewView::set_visible(double begin_s, double end_s) {
   const double all = overview_->seconds();
   const double width = std::clamp(end_s - begin_s, std::min(kShortest_s, all), all);
   const double begin = std::clamp(begin_s, 0.0, all - width);
+  all_ = width >= all;
   if (begin != begin_s_ || begin + width != end_s_) {
     begin_s_ = begin;
     end_s_ = begin + width;

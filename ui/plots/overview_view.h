@@ -24,6 +24,8 @@ class OverviewView : public QWidget {
   explicit OverviewView(QWidget* parent = nullptr);
   /// Null: nothing to draw. All of it becomes visible.
   void set_overview(std::shared_ptr<const TakeOverview> overview);
+  /// The overview that was set has become longer: what showed all of it goes on showing all of it.
+  void grown();
   void set_marks(std::vector<OverviewMark> marks);
   [[nodiscard]] double visible_begin_s() const { return begin_s_; }
   [[nodiscard]] double visible_end_s() const { return end_s_; }
@@ -48,6 +50,7 @@ class OverviewView : public QWidget {
   std::vector<OverviewMark> marks_;
   double begin_s_ = 0.0, end_s_ = 0.0;
   double drag_x_ = 0.0;
+  bool all_ = true;  ///< All of it is visible.
 };
 
 }  // namespace limbwave::ui

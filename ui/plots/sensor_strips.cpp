@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/health_text.h"
 #include "common/icons.h"
 #include "common/theme.h"
 #include "common/widgets.h"
@@ -133,7 +134,7 @@ void SensorStrips::paint_card(QPainter& painter, int sensor) const {
   small.setPixelSize(12);
   painter.setFont(small);
   painter.setPen(tone == Tone::kWarning || tone == Tone::kDanger ? tone_color(palette(), tone) : theme.dim);
-  const QString words = health.text.empty() ? tr("not heard yet") : QString::fromStdString(health.text);
+  const QString words = health_text(health);
   const QRectF text(area.left() + 14, title.bottom() + 1, area.width() - 22, area.bottom() - title.bottom() - 3);
   painter.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words);
 }
@@ -248,10 +249,9 @@ bool SensorStrips::event(QEvent* event) {
     for (int sensor = 0; sensor < static_cast<int>(sensors_.size()); ++sensor) {
       const auto at = static_cast<std::size_t>(sensor);
       if (row(sensor).contains(help->pos()) && snapshot_ && at < snapshot_->health.size()) {
-        QToolTip::showText(
-            help->globalPos(),
-            QStringLiteral("%1: %2").arg(sensors_.value(sensor), QString::fromStdString(snapshot_->health[at].text)),
-            this);
+        QToolTip::showText(help->globalPos(),
+                           QStringLiteral("%1: %2").arg(sensors_.value(sensor), health_text(snapshot_->health[at])),
+                           this);
         return true;
       }
     }

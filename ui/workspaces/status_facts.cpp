@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/format.h"
+#include "common/health_text.h"
 
 namespace limbwave::ui {
 namespace {
@@ -89,7 +90,7 @@ StatusFact StatusFacts::sensors(const StatusInput& in) {
     if (worse) {
       fact.tone = tone;
       if (tone != Tone::kGood) {
-        fact.detail = tr("Sensor %1: %2").arg(i + 1).arg(QString::fromStdString(sensor.text));
+        fact.detail = tr("Sensor %1: %2").arg(i + 1).arg(health_text(sensor));
         fact.topic = QStringLiteral("sensor:%1").arg(i);
         fact.workspace = sensor.code == "no-calibration" ? QStringLiteral("calibrate") : QStringLiteral("capture");
       }

@@ -71,6 +71,7 @@ WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* 
   };
   auto* create = add_button(QStringLiteral("plus"), tr("New take"), tr("Choose a device and record"), true);
   create->setObjectName(QStringLiteral("welcome_new_take"));
+  setFocusProxy(create);
   connect(create, &QPushButton::clicked, this, [this] { actions_.new_take(); });
   auto* import = add_button(QStringLiteral("import"), tr("Import recording"),
                             tr("WAV, FLAC or MP3 files of a sound recorder that was worn"), false);

@@ -76,8 +76,10 @@ TEST(StatusFacts, RedIsForLosingData) {
 TEST(StatusFacts, LeadsToTheWorstSensor) {
   solve::LiveSnapshot shot = good_snapshot();
   shot.health[1].state = solve::HealthState::kWarning;
+  shot.health[1].code = "saturated";
   shot.health[1].text = "clips";
   shot.health[3].state = solve::HealthState::kBad;
+  shot.health[3].code = "stuck";
   shot.health[3].text = "is stuck";
   const StatusInput input{.state = LiveState::kRunning,
                           .recording = true,

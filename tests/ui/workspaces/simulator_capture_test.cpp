@@ -55,6 +55,8 @@ class SimulatorCaptureTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->recorded_s >= 1.0, 20000);
     capture->model().mark(QStringLiteral("here"));
     QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->recorded_s >= 2.0, 20000);
+    auto* overview = capture->findChild<OverviewPanel*>();
+    QVERIFY2(overview->isVisible() && overview->view().visible_end_s() > 1.5, "the recording is seen while it grows");
     shoot(*studio.window, QStringLiteral("simulator-recording"));
     capture->model().stop_recording();
     QTRY_VERIFY_WITH_TIMEOUT(studio.context->document().is_open(), 20000);
@@ -68,7 +70,6 @@ class SimulatorCaptureTest : public QObject {
     QCOMPARE(again->info.frames, take->info.frames);
     QCOMPARE(capture->model().markers().size(), std::size_t{1});
     QCOMPARE(capture->model().markers().front().text, QStringLiteral("here"));
-    auto* overview = capture->findChild<OverviewPanel*>();
     QTRY_VERIFY(overview->view().visible_end_s() > 1.9);
     shoot(*studio.window, QStringLiteral("simulator-recorded"));
   }

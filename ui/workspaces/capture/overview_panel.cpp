@@ -1,6 +1,9 @@
 #include "workspaces/capture/overview_panel.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
+#include <limits>
+#include <span>
 
 #include "common/format.h"
 #include "common/theme.h"
@@ -16,11 +19,65 @@ OverviewPanel::OverviewPanel(StudioContext& context, QWidget* parent)
   layout->addWidget(title_);
   layout->addWidget(view_);
   connect(&context_.document(), &TakeDocument::changed, this, &OverviewPanel::follow_take);
+  connect(&context_.live(), &LiveModel::recording_changed, this, &OverviewPanel::follow_recording);
+  connect(&context_.live(), &LiveModel::snapshot_changed, this, &OverviewPanel::append_new_samples);
+  connect(&context_.live(), &LiveModel::recording_failed, this, [this] { follow_take(true); });
+  connect(&context_.live(), &LiveModel::marked, this, [this](const QString& text) {
+    if (growing_) {
+      growing_marks_.push_back({growing_->seconds(), text, false});
+      view_->set_marks(growing_marks_);
+    }
+  });
   follow_take(true);
+}
+
+void OverviewPanel::follow_recording() {
+  if (context_.live().recording() && !growing_) {
+    growing_ = std::make_shared<TakeOverview>();
+    next_sample_ = -1.0;
+    growing_marks_.clear();
+    view_->set_marks({});
+    view_->set_overview(growing_);
+    title_->set_text(tr("What is being recorded"));
+    show();
+  } else if (!context_.live().recording()) {
+    growing_.reset();  // The view keeps its picture until the take is read.
+  }
+}
+
+void OverviewPanel::append_new_samples() {
+  const auto& snapshot = context_.live().snapshot();
+  if (!growing_ || !snapshot || snapshot->scope.size() < 2) {
+    return;
+  }
+  growing_->rate_hz = snapshot->format.rate.hz;
+  const auto frames = static_cast<std::int64_t>(snapshot->scope.size() / 2);
+  const double end = snapshot->scope_first_sample + static_cast<double>(frames);
+  auto fresh = static_cast<std::int64_t>(next_sample_ < 0.0 ? 0.0 : std::max(0.0, end - next_sample_));
+  next_sample_ = end;
+  // The snapshot holds the newest 100 ms. What a busy window missed stays empty here; the recorder has it.
+  if (fresh > frames) {
+    const std::vector<float> missed(static_cast<std::size_t>(fresh - frames), std::numeric_limits<float>::quiet_NaN());
+    growing_->left.append(missed);
+    growing_->right.append(missed);
+    growing_->frames += fresh - frames;
+    fresh = frames;
+  }
+  const std::span<const float> samples =
+      std::span<const float>(snapshot->scope).last(static_cast<std::size_t>(2 * fresh));
+  if (!samples.empty()) {
+    growing_->left.append(samples, 2);
+    growing_->right.append(samples.subspan(1), 2);
+    growing_->frames += fresh;
+  }
+  view_->grown();
 }
 
 void OverviewPanel::follow_take(bool other) {
   const auto& take = context_.document().take();
+  if (growing_) {
+    return;  // What is being recorded goes first.
+  }
   setVisible(take != nullptr);
   if (!take) {
     view_->set_overview(nullptr);

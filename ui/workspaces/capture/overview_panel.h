@@ -1,4 +1,4 @@
-/// The signal of the open take below the live signals; reads it in a job.
+/// The signal of the recording while it grows, else of the open take, which is read in a job.
 #pragma once
 
 #include <QWidget>
@@ -17,10 +17,15 @@ class OverviewPanel : public QWidget {
 
  private:
   void follow_take(bool other);
+  void follow_recording();
+  void append_new_samples();
   StudioContext& context_;
   ElidedLabel* title_;
   OverviewView* view_;
   Job* job_ = nullptr;
+  std::shared_ptr<TakeOverview> growing_;  ///< Of the running recording, else null.
+  double next_sample_ = -1.0;              ///< Of the stream: the first one that `growing_` has not seen.
+  std::vector<OverviewMark> growing_marks_;
 };
 
 }  // namespace limbwave::ui

@@ -97,6 +97,7 @@ double SolveModel::clip_start_s() const {
 
 void SolveModel::follow_document(bool other) {
   if (unsaved_) {
+    saving_.clear();  // This was the last chance: do not wait for a save that is still running.
     save();
   }
   take_ = context_.document().take();

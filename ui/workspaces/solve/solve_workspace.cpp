@@ -124,6 +124,11 @@ void SolveWorkspace::follow_context() {
     show_figure();
     show_state();
   });
+  connect(&context_.document(), &TakeDocument::changed, this, [this](bool other) {
+    if (other) {
+      viewer_->set_extent({});  // The next solve places the camera anew.
+    }
+  });
   connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_figure);
   connect(&model_, &SolveModel::pose_changed, this, &SolveWorkspace::show_pose);
   connect(&context_.time(), &TimeModel::playhead_changed, this, &SolveWorkspace::show_pose);
