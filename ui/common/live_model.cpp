@@ -145,11 +145,12 @@ void LiveModel::poll() {
   Q_EMIT snapshot_changed();
 }
 
-bool LiveModel::start_recording(const std::filesystem::path& folder, const QString& subject) {
+bool LiveModel::start_recording(const std::filesystem::path& folder, const QString& subject, bool aside) {
   if (!backend_ || recording_ || starting_ || finishing_) {
     return false;
   }
   starting_ = true;
+  aside_ = aside;
   jobs_.start(
       tr("Making the take"), this,
       [backend = backend_, folder, name = subject.toStdString()](const Progress&) {
@@ -188,7 +189,11 @@ void LiveModel::end_recording() {
           Q_EMIT recording_failed(problem_, remedy_);
           return;
         }
-        Q_EMIT recording_finished(result.value());
+        if (aside_) {
+          Q_EMIT aside_finished(result.value());
+        } else {
+          Q_EMIT recording_finished(result.value());
+        }
       });
 }
 

@@ -48,8 +48,10 @@ class LiveModel : public QObject {
   void close();
   /// Ends in `recording_changed`, or in `recording_failed` when the folder cannot be made. False when nothing runs or
   /// it is recording already.
-  bool start_recording(const std::filesystem::path& folder, const QString& subject);
-  /// Ends in `recording_finished` or `recording_failed`.
+  /// `aside`: not a take that the user makes, but the raw signals of a calibration; it ends in `aside_finished` and
+  /// does not become the open take.
+  bool start_recording(const std::filesystem::path& folder, const QString& subject, bool aside = false);
+  /// Ends in `recording_finished` (or `aside_finished`) or `recording_failed`.
   void stop_recording();
   void mark(const QString& text);
   void set_calibration(const calibrate::RigCalibration& calibration);
@@ -69,6 +71,7 @@ class LiveModel : public QObject {
   void marked(const QString& text);
   void source_lost();  ///< The device is gone; `problem()` says so.
   void recording_finished(const limbwave::take::Take& take);
+  void aside_finished(const limbwave::take::Take& take);
   void recording_failed(const QString& text, const QString& remedy);
 
  private:
@@ -80,7 +83,7 @@ class LiveModel : public QObject {
   const StudioServices& services_;
   JobRunner& jobs_;
   LiveState state_ = LiveState::kOff;
-  bool recording_ = false, starting_ = false, finishing_ = false;
+  bool recording_ = false, starting_ = false, finishing_ = false, aside_ = false;
   QString device_id_, device_title_, problem_, remedy_;
   solve::LiveSettings settings_;
   std::shared_ptr<LiveBackend> backend_;

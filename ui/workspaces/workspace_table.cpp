@@ -1,6 +1,7 @@
 /// The table of workspaces: one row each, in the order of the mode bar.
 #include <QCoreApplication>
 
+#include "workspaces/calibrate_workspace.h"
 #include "workspaces/capture/capture_workspace.h"
 #include "workspaces/solve/solve_entries.h"
 #include "workspaces/solve/solve_timeline.h"
@@ -26,6 +27,7 @@ StudioParts studio_parts() {
                               .create = [](StudioContext& context, QWidget* parent) -> Workspace* {
                                 return new CaptureWorkspace(context, parent);
                               }});
+  parts.workspaces.push_back(calibrate_entry());
   parts.workspaces.push_back(solve_entry());
   parts.workspaces.push_back(export_entry());
   parts.timeline = make_solve_timeline;

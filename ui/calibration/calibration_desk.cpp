@@ -1,0 +1,273 @@
+#include "calibration/calibration_desk.h"
+
+#include <QDateTime>
+#include <algorithm>
+#include <utility>
+
+#include "base/files.h"
+#include "calibration/calibration_words.h"
+#include "calibration/take_calibration_command.h"
+
+namespace limbwave::ui {
+
+std::filesystem::path calibration_takes_folder() {
+  return user_data_folder() / "calibration-takes";
+}
+
+calibrate::RigCalibration newest_of_library(const take::LibraryListing& listing, const body::Rig& rig,
+                                            const std::string& subject) {
+  calibrate::RigCalibration calibration = calibrate::nominal_calibration(rig);
+  for (std::size_t s = 0; s < rig.accelerometers.size(); ++s) {
+    const body::Accelerometer& accelerometer = rig.accelerometers[s];
+    const std::string key = take::sensor_key(rig, accelerometer);
+    std::string newest;
+    for (const take::SensorRecord& record : listing.sensors) {
+      if (record.key == key && record.calibration.date >= newest) {
+        newest = record.calibration.date;
+        calibration.sensors[s] = record.calibration;
+      }
+    }
+    newest.clear();
+    for (const take::MountRecord& record : listing.mounts) {
+      for (const calibrate::MountCalibration& mount : record.mounts) {
+        if (record.rig == rig.name && record.subject == subject && mount.sensor == accelerometer.name &&
+            record.date >= newest) {
+          newest = record.date;
+          calibration.mounts[s] = mount;
+        }
+      }
+    }
+  }
+  return calibration;
+}
+
+CalibrationDesk::CalibrationDesk(StudioContext& context, CalibrationSource& source, take::CalibrationLibrary library,
+                                 QObject* parent)
+    : QObject(parent), context_(context), source_(source), library_(std::move(library)) {
+  connect(&source_, &CalibrationSource::changed, this, &CalibrationDesk::follow);
+  connect(&context_.document(), &TakeDocument::changed, this, &CalibrationDesk::follow);
+  connect(&source_, &CalibrationSource::recording_closed, this, [this](const take::Take& take) {
+    if (recording_ && take.folder == recording_folder_) {
+      end_recording();  // It ended by itself: the device is gone.
+    }
+    const auto found = std::find_if(closing_.begin(), closing_.end(),
+                                    [&](const Closing& closing) { return closing.folder == take.folder; });
+    if (found != closing_.end()) {
+      const Closing closing = *found;
+      closing_.erase(found);
+      store_segments(take, closing);
+    }
+  });
+  connect(&source_, &CalibrationSource::recording_failed, this, [this](const QString& text) {
+    if (recording_) {
+      recording_ = false;
+      set_note(tr("The raw signals are not kept: %1").arg(text));
+    }
+  });
+  follow();
+  refresh();
+}
+
+CalibrationDesk::Subject CalibrationDesk::subject() const {
+  return source_.running() ? Subject::kLive : context_.document().is_open() ? Subject::kTake : Subject::kNone;
+}
+
+const body::Rig& CalibrationDesk::rig() const {
+  return subject() == Subject::kLive ? source_.rig() : context_.document().take()->info.rig;
+}
+
+const body::Skeleton& CalibrationDesk::skeleton() const {
+  return subject() == Subject::kLive ? source_.skeleton() : context_.document().take()->info.skeleton;
+}
+
+QString CalibrationDesk::wearer() const {
+  if (subject() == Subject::kTake) {
+    return QString::fromStdString(context_.document().take()->info.subject);
+  }
+  return context_.settings().value(QStringLiteral("capture/subject")).toString();
+}
+
+void CalibrationDesk::set_wearer(const QString& wearer) {
+  context_.settings().setValue(QStringLiteral("capture/subject"), wearer.trimmed());
+  Q_EMIT changed();
+}
+
+void CalibrationDesk::follow() {
+  if (subject() == Subject::kLive) {
+    calibration_ = source_.calibration();
+  } else if (subject() == Subject::kTake) {
+    const take::TakeInfo& info = context_.document().take()->info;
+    calibration_ = info.calibration ? *info.calibration : calibrate::nominal_calibration(info.rig);
+  } else {
+    calibration_ = {};
+  }
+  if (has_rig() && (calibration_.sensors.size() != rig().accelerometers.size() ||
+                    calibration_.mounts.size() != rig().accelerometers.size())) {
+    calibration_ = calibrate::nominal_calibration(rig());
+  }
+  Q_EMIT changed();
+}
+
+void CalibrationDesk::refresh() {
+  if (reading_) {
+    read_again_ = true;  // What is being read may be older than what was just saved.
+    return;
+  }
+  reading_ = true;
+  context_.jobs().compute<take::LibraryListing>(
+      tr("Reading the calibration library"), this,
+      [library = library_](const Progress&) -> Result<take::LibraryListing> { return library.list(); },
+      [this](Result<take::LibraryListing> listing) {
+        reading_ = false;
+        if (std::exchange(read_again_, false)) {
+          refresh();
+        }
+        if (listing) {
+          listing_ = std::move(listing).value();
+          Q_EMIT changed();
+        }
+      });
+}
+
+void CalibrationDesk::save(CalibrationChange change, std::function<void(const Status&)> done) {
+  if (!has_rig()) {
+    done(Error{"the capture was closed meanwhile", "", "open the device again"});
+    return;
+  }
+  calibrate::RigCalibration next = calibration_;
+  std::vector<std::pair<std::string, calibrate::SensorCalibration>> ranges;
+  for (const auto& [sensor, range] : change.ranges) {
+    const auto s = static_cast<std::size_t>(sensor);
+    next.sensors.at(s) = range;
+    ranges.emplace_back(take::sensor_key(rig(), rig().accelerometers.at(s)), range);
+  }
+  for (const calibrate::MountCalibration& mount : change.mounts) {
+    const auto found = std::find_if(next.mounts.begin(), next.mounts.end(),
+                                    [&](const auto& candidate) { return candidate.sensor == mount.sensor; });
+    if (found != next.mounts.end()) {
+      *found = mount;
+    }
+  }
+  context_.jobs().start(
+      tr("Saving the calibration"), this,
+      [library = library_, ranges = std::move(ranges), mounts = std::move(change.mounts), rig_name = rig().name,
+       subject = wearer().toStdString()](const Progress&) -> Status {
+        for (const auto& [key, range] : ranges) {
+          if (const auto saved = library.save_sensor(key, range); !saved) {
+            return saved.error();
+          }
+        }
+        if (!mounts.empty()) {
+          if (const auto saved = library.save_mounts(rig_name, subject, mounts); !saved) {
+            return saved.error();
+          }
+        }
+        return {};
+      },
+      [this, next = std::move(next), done = std::move(done)](const Status& status) {
+        if (status) {
+          apply(next);
+        }
+        refresh();
+        done(status);
+      });
+}
+
+void CalibrationDesk::apply(const calibrate::RigCalibration& calibration) {
+  if (subject() == Subject::kLive) {
+    source_.set_calibration(calibration);
+  } else if (subject() == Subject::kTake) {
+    context_.undo_stack().push(new TakeCalibrationCommand(context_, calibration));
+  }
+}
+
+void CalibrationDesk::use_library() {
+  if (has_rig()) {
+    apply(newest_of_library(listing_, rig(), wearer().toStdString()));
+  }
+}
+
+void CalibrationDesk::use_record(const take::SensorRecord& record) {
+  calibrate::RigCalibration next = calibration_;
+  for (std::size_t s = 0; has_rig() && s < rig().accelerometers.size(); ++s) {
+    if (take::sensor_key(rig(), rig().accelerometers[s]) == record.key) {
+      next.sensors[s] = record.calibration;
+    }
+  }
+  apply(next);
+}
+
+void CalibrationDesk::use_record(const take::MountRecord& record) {
+  calibrate::RigCalibration next = calibration_;
+  for (calibrate::MountCalibration& mount : next.mounts) {
+    for (const calibrate::MountCalibration& stored : record.mounts) {
+      if (stored.sensor == mount.sensor) {
+        mount = stored;
+      }
+    }
+  }
+  apply(next);
+}
+
+void CalibrationDesk::begin_recording(const QString& kind) {
+  if (recording_ || subject() != Subject::kLive) {
+    return;
+  }
+  segments_.clear();
+  const QString name =
+      QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")) + QLatin1Char('-') + kind;
+  std::filesystem::path folder = calibration_takes_folder() / (name.toStdString() + ".take");
+  std::error_code ignored;
+  std::filesystem::create_directories(folder.parent_path(), ignored);
+  for (int n = 2; std::filesystem::exists(folder, ignored); ++n) {
+    folder = calibration_takes_folder() / (name.toStdString() + "-" + std::to_string(n) + ".take");
+  }
+  recording_folder_ = folder;
+  recording_ = source_.start_recording(folder, wearer());
+  set_note(recording_ ? tr("Raw signals are kept in %1").arg(QString::fromStdString(folder.string()))
+                      : tr("The raw signals are not kept in a take of their own: the capture records already, or it "
+                           "cannot record. The calibration itself goes on."));
+}
+
+void CalibrationDesk::add_segment(const std::string& name, double begin_s, double end_s) {
+  if (recording_ && end_s > begin_s) {
+    segments_.push_back({name, begin_s, end_s});
+  }
+}
+
+void CalibrationDesk::end_recording() {
+  if (recording_) {
+    recording_ = false;
+    closing_.push_back({recording_folder_, std::move(segments_), source_.recording_start_s()});
+    segments_.clear();
+    source_.stop_recording();
+  }
+}
+
+void CalibrationDesk::store_segments(take::Take take, const Closing& closing) {
+  const double start_s = closing.start_s;
+  for (const Segment& segment : closing.segments) {
+    const SampleRate rate = take.info.format.rate;
+    const SampleIndex first = rate.index(Seconds{std::max(0.0, segment.begin_s - start_s)});
+    const std::int64_t last =
+        std::min(rate.index(Seconds{std::max(0.0, segment.end_s - start_s)}).value, take.info.frames);
+    if (last > first.value) {
+      take.info.segments.push_back({segment.name, first, SampleCount{last - first.value}});
+    }
+  }
+  context_.jobs().start(
+      tr("Closing the calibration's take"), this,
+      [take = std::move(take)](const Progress&) { return take::save_info(take); },
+      [this](const Status& status) {
+        if (!status) {
+          context_.notifications().post_error(tr("The calibration's take has no segments"), status.error());
+        }
+      });
+}
+
+void CalibrationDesk::set_note(const QString& note) {
+  recording_note_ = note;
+  Q_EMIT recording_note_changed();
+}
+
+}  // namespace limbwave::ui

@@ -1,0 +1,369 @@
+#include "calibration/limb_wizard_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/calibration_words.h"
+
+namespace limbwave::ui {
+namespace {
+
+constexpr auto kCountdownKey = "calibrate/countdown_s";
+
+bool is_nominal(const std::string& method) {
+  return method.empty() || method == "nominal";
+}
+
+}  // namespace
+
+LimbWizardModel::LimbWizardModel(CalibrationDesk& desk, QObject* parent) : QObject(parent), desk_(desk) {
+  timer_.setInterval(50);
+  connect(&timer_, &QTimer::timeout, this, [this] { advance(1e-3 * static_cast<double>(clock_.restart())); });
+  connect(&desk_.source(), &CalibrationSource::arrived, this, &LimbWizardModel::take_frames);
+  connect(&desk_.source(), &CalibrationSource::changed, this, [this] {
+    if (page_ == LimbPage::kHold) {
+      Q_EMIT held();
+    } else {
+      Q_EMIT choice_changed();
+    }
+  });
+  countdown_s_ = std::clamp(desk_.context().settings().value(QLatin1String(kCountdownKey), 5.0).toDouble(), 2.0, 30.0);
+}
+
+void LimbWizardModel::set_page(LimbPage page) {
+  page_ = page;
+  if (page == LimbPage::kCountdown) {
+    clock_.start();
+    timer_.start();
+  } else {
+    timer_.stop();
+  }
+  Q_EMIT page_changed();
+}
+
+void LimbWizardModel::begin(int sensor, bool only) {
+  ++attempt_;
+  rig_ = desk_.has_rig() ? desk_.rig() : body::Rig{};
+  skeleton_ = desk_.has_rig() ? desk_.skeleton() : body::Skeleton{};
+  outcomes_.clear();
+  checks_.clear();
+  refusal_ = {};
+  diagnostics_.clear();
+  saving_ = false;
+  checking_ = false;
+  int chosen = -1;
+  for (int g = 0; g < static_cast<int>(rig_.groups.size()) && chosen < 0; ++g) {
+    const std::vector<int>& members = rig_.groups[static_cast<std::size_t>(g)].sensors;
+    const bool wanted = sensor >= 0
+                            ? std::find(members.begin(), members.end(), sensor) != members.end()
+                            : std::any_of(members.begin(), members.end(), [this](int s) {
+                                return is_nominal(desk_.calibration().mounts[static_cast<std::size_t>(s)].method);
+                              });
+    chosen = wanted ? g : -1;
+  }
+  choose_group(std::max(0, chosen));
+  if (only && sensor >= 0) {
+    sensors_ = {sensor};
+  }
+  set_page(LimbPage::kChoose);
+}
+
+void LimbWizardModel::choose_group(int group) {
+  group_ = group;
+  sensors_ = group < static_cast<int>(rig_.groups.size()) ? rig_.groups[static_cast<std::size_t>(group)].sensors
+                                                          : std::vector<int>{};
+  Q_EMIT choice_changed();
+}
+
+void LimbWizardModel::choose_sensor(int sensor, bool on) {
+  std::erase(sensors_, sensor);
+  if (on) {
+    sensors_.push_back(sensor);
+    std::sort(sensors_.begin(), sensors_.end());
+  }
+  Q_EMIT choice_changed();
+}
+
+const body::LimbPose& LimbWizardModel::pose_text(int pose) const {
+  const body::CalibrationGroup& group = rig_.groups.at(static_cast<std::size_t>(group_));
+  return pose == 0 ? group.first : group.second;
+}
+
+QStringList LimbWizardModel::without_range() const {
+  QStringList names;
+  for (const int sensor : sensors_) {
+    const auto s = static_cast<std::size_t>(sensor);
+    if (is_nominal(desk_.calibration().sensors.at(s).method)) {
+      names << QString::fromStdString(rig_.accelerometers.at(s).name);
+    }
+  }
+  return names;
+}
+
+QString LimbWizardModel::obstacle() const {
+  switch (page_) {
+    case LimbPage::kChoose:
+      if (rig_.groups.empty()) {
+        return tr("This rig names no poses. Add calibration groups to its file.");
+      }
+      if (sensors_.empty()) {
+        return tr("Choose at least one sensor.");
+      }
+      [[fallthrough]];
+    case LimbPage::kPrepare:
+      return desk_.source().running() ? QString() : tr("No signal comes in. Open a device in Capture.");
+    case LimbPage::kHold:
+      return can_take_stillest() ? QString() : tr("Hold still: it goes on by itself.");
+    case LimbPage::kComputing:
+      return tr("Computing…");
+    case LimbPage::kResult:
+      return saving_ ? tr("Saving…") : accepted() == 0 ? tr("Nothing is accepted yet.") : QString();
+    case LimbPage::kCountdown:
+    case LimbPage::kCheck:
+      break;
+  }
+  return {};
+}
+
+void LimbWizardModel::next() {
+  if (!obstacle().isEmpty()) {
+    return;
+  }
+  switch (page_) {
+    case LimbPage::kChoose:
+      set_page(LimbPage::kPrepare);
+      break;
+    case LimbPage::kPrepare:
+      start_poses(sensors_);
+      break;
+    case LimbPage::kCountdown:
+      start_hold();
+      break;
+    case LimbPage::kHold:
+      take_stillest();
+      break;
+    case LimbPage::kComputing:
+      break;
+    case LimbPage::kResult:
+      save();
+      break;
+    case LimbPage::kCheck:
+      set_page(LimbPage::kResult);
+      break;
+  }
+}
+
+void LimbWizardModel::back() {
+  switch (page_) {
+    case LimbPage::kPrepare:
+      set_page(LimbPage::kChoose);
+      break;
+    case LimbPage::kCountdown:
+    case LimbPage::kHold:
+      desk_.end_recording();
+      set_page(checking_ || !outcomes_.empty() ? LimbPage::kResult : LimbPage::kPrepare);
+      checking_ = false;
+      break;
+    case LimbPage::kCheck:
+      set_page(LimbPage::kResult);
+      break;
+    default:
+      break;
+  }
+}
+
+bool LimbWizardModel::would_lose() const {
+  const bool open = std::any_of(outcomes_.begin(), outcomes_.end(), [](const LimbOutcome& outcome) {
+    return outcome.result && outcome.decision != Decision::kDiscarded;
+  });
+  return open || page_ == LimbPage::kComputing ||
+         ((page_ == LimbPage::kCountdown || page_ == LimbPage::kHold) && pose_ == 1 && !checking_);
+}
+
+void LimbWizardModel::cancel() {
+  ++attempt_;
+  timer_.stop();
+  desk_.end_recording();
+  outcomes_.clear();
+  checking_ = false;
+  page_ = LimbPage::kChoose;
+  Q_EMIT left();
+}
+
+void LimbWizardModel::set_countdown_s(double seconds) {
+  countdown_s_ = std::clamp(seconds, 2.0, 30.0);
+  desk_.context().settings().setValue(QLatin1String(kCountdownKey), countdown_s_);
+  Q_EMIT choice_changed();
+}
+
+void LimbWizardModel::start_poses(const std::vector<int>& sensors) {
+  checking_ = false;
+  held_by_ = sensors;
+  frames_[0].clear();
+  frames_[1].clear();
+  make_calibrator();
+  desk_.begin_recording(QStringLiteral("limb"));
+  start_countdown(0);
+}
+
+void LimbWizardModel::make_calibrator() {
+  calibrator_ = std::make_unique<calibrate::LimbCalibrator>(rig_, desk_.calibration(), group_, held_by_);
+  calibrator_->push(0, frames_[0]);
+  calibrator_->push(1, frames_[1]);
+  meter_ = MovementMeter(held_by_, desk_.calibration());
+  holders_.clear();
+  for (const int sensor : held_by_) {
+    holders_.push_back({sensor, {}, false});
+  }
+}
+
+void LimbWizardModel::start_countdown(int pose) {
+  pose_ = pose;
+  left_s_ = countdown_s_;
+  set_page(LimbPage::kCountdown);
+  Q_EMIT counted(static_cast<int>(std::ceil(left_s_)));
+}
+
+void LimbWizardModel::advance(double elapsed_s) {
+  if (page_ != LimbPage::kCountdown) {
+    return;
+  }
+  const double before = std::ceil(left_s_);
+  left_s_ = std::max(0.0, left_s_ - elapsed_s);
+  if (left_s_ <= 0.0) {
+    start_hold();
+    return;
+  }
+  if (std::ceil(left_s_) < before) {
+    Q_EMIT counted(static_cast<int>(std::ceil(left_s_)));
+  }
+  Q_EMIT held();
+}
+
+void LimbWizardModel::start_hold() {
+  left_s_ = 0.0;
+  frames_.at(static_cast<std::size_t>(pose_)).clear();
+  calibrator_->clear(pose_);
+  meter_.clear();
+  progress_ = {};
+  progress_.movement_now_g = progress_.best_movement_g = INFINITY;
+  ready_since_s_ = -1.0;
+  set_page(LimbPage::kHold);
+  Q_EMIT counted(0);
+}
+
+void LimbWizardModel::take_frames(const std::vector<decode::AccelerationFrame>& frames) {
+  if ((page_ != LimbPage::kHold && page_ != LimbPage::kCountdown) || frames.empty()) {
+    return;
+  }
+  // Movement is shown during the countdown too, but only what is held counts.
+  const bool holding = page_ == LimbPage::kHold;
+  std::vector<decode::AccelerationFrame>& kept = frames_.at(static_cast<std::size_t>(pose_));
+  for (const decode::AccelerationFrame& frame : frames) {
+    meter_.push(frame);
+    if (holding) {
+      calibrator_->push(pose_, frame);
+      kept.push_back(frame);
+    }
+  }
+  const std::vector<SensorMovement> movements = meter_.movements();
+  for (std::size_t i = 0; i < holders_.size(); ++i) {
+    holders_[i].movement = movements[i];
+    holders_[i].moves = movements[i].movement_g > still_threshold_g();
+  }
+  if (!holding) {
+    Q_EMIT held();
+    return;
+  }
+  progress_ = calibrator_->progress(pose_);
+  const double newest_s = frames.back().time_s;
+  if (progress_.ready && ready_since_s_ < 0.0) {
+    ready_since_s_ = newest_s;
+  }
+  Q_EMIT held();
+  if (ready_since_s_ >= 0.0 && (newest_s - ready_since_s_ >= kConfirmS || !progress_.still_now)) {
+    capture();
+  } else if (progress_.seconds > kForgetS) {
+    kept.clear();
+    calibrator_->clear(pose_);
+  }
+}
+
+double LimbWizardModel::captured_fraction() const {
+  const std::vector<decode::AccelerationFrame>& kept = frames_.at(static_cast<std::size_t>(pose_));
+  return ready_since_s_ < 0.0 || kept.empty() ? 0.0
+                                              : std::clamp((kept.back().time_s - ready_since_s_) / kConfirmS, 0.0, 1.0);
+}
+
+bool LimbWizardModel::can_take_stillest() const {
+  return page_ == LimbPage::kHold && ready_since_s_ < 0.0 && progress_.seconds > kPatienceS &&
+         progress_.best_movement_g <= calibrate::LimbParameters().usable_movement_g;
+}
+
+void LimbWizardModel::take_stillest() {
+  if (can_take_stillest()) {
+    capture();
+  }
+}
+
+bool LimbWizardModel::can_leave_out(int sensor) const {
+  return page_ == LimbPage::kHold && !checking_ && held_by_.size() > 1 &&
+         std::find(held_by_.begin(), held_by_.end(), sensor) != held_by_.end();
+}
+
+void LimbWizardModel::leave_out(int sensor) {
+  if (can_leave_out(sensor)) {
+    std::erase(held_by_, sensor);
+    std::erase(sensors_, sensor);
+    frames_.at(static_cast<std::size_t>(pose_)).clear();
+    make_calibrator();
+    start_hold();
+  }
+}
+
+void LimbWizardModel::capture() {
+  const std::vector<decode::AccelerationFrame>& kept = frames_.at(static_cast<std::size_t>(pose_));
+  if (!checking_ && !kept.empty()) {
+    const body::CalibrationGroup& group = rig_.groups.at(static_cast<std::size_t>(group_));
+    desk_.add_segment(solve::pose_segment(group, pose_), kept.front().time_s, kept.back().time_s);
+  }
+  Q_EMIT captured(pose_);
+  if (checking_) {
+    compute_check();
+  } else if (pose_ == 0) {
+    start_countdown(1);
+  } else {
+    compute();
+  }
+}
+
+void LimbWizardModel::repeat(int sensor) {
+  if (page_ == LimbPage::kResult && desk_.source().running()) {
+    start_poses({sensor});
+  }
+}
+
+void LimbWizardModel::repeat_both() {
+  if (page_ == LimbPage::kResult && desk_.source().running()) {
+    start_poses(sensors_);
+  }
+}
+
+void LimbWizardModel::check(int pose) {
+  if (page_ != LimbPage::kResult || !desk_.source().running() || accepted() == 0) {
+    return;
+  }
+  held_by_.clear();
+  for (const LimbOutcome& outcome : outcomes_) {
+    if (outcome.decision == Decision::kAccepted) {
+      held_by_.push_back(outcome.sensor);
+    }
+  }
+  frames_[0].clear();
+  frames_[1].clear();
+  make_calibrator();
+  checking_ = true;
+  start_countdown(pose);
+}
+
+}  // namespace limbwave::ui

@@ -1,0 +1,156 @@
+/// Limb calibration as a sequence of pages, without widgets: choose a limb, get ready, hold two poses without touching
+/// the keyboard, look at the verdict, hold a pose again to check it.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "calibrate/limb_calibration.h"
+#include "calibration/calibration_desk.h"
+#include "calibration/movement_meter.h"
+#include "calibration/range_wizard_model.h"
+
+namespace limbwave::ui {
+
+enum class LimbPage { kChoose, kPrepare, kCountdown, kHold, kComputing, kResult, kCheck };
+
+/// One sensor's end.
+struct LimbOutcome {
+  int sensor = 0;
+  std::optional<calibrate::SensorLimbResult> result;  ///< Empty: refused, `error` says why.
+  Error error;
+  Decision decision = Decision::kOpen;
+  std::optional<double> before_deg;  ///< Error of the angle in the attempt that this one replaces.
+};
+
+/// One sensor while a pose is held.
+struct HolderState {
+  int sensor = 0;
+  SensorMovement movement;
+  bool moves = false;  ///< More than what counts as still.
+};
+
+class LimbWizardModel : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr double kConfirmS = 1.0;    ///< A still second is followed by this much more, for a longer mean.
+  static constexpr double kPatienceS = 10.0;  ///< After which the stillest second so far is offered.
+  static constexpr double kForgetS = 60.0;    ///< After which holding starts afresh.
+
+  explicit LimbWizardModel(CalibrationDesk& desk, QObject* parent = nullptr);
+
+  [[nodiscard]] LimbPage page() const { return page_; }
+  [[nodiscard]] const body::Rig& rig() const { return rig_; }
+  [[nodiscard]] const body::Skeleton& skeleton() const { return skeleton_; }
+  [[nodiscard]] CalibrationDesk& desk() { return desk_; }
+
+  /// Starts anew with the group that holds `sensor` (−1: the first group that needs it) and, with `only`, this sensor
+  /// alone.
+  void begin(int sensor, bool only = false);
+  [[nodiscard]] int group() const { return group_; }
+  void choose_group(int group);
+  /// Indices into the rig's accelerometers.
+  [[nodiscard]] const std::vector<int>& sensors() const { return sensors_; }
+  void choose_sensor(int sensor, bool on);
+  [[nodiscard]] const body::LimbPose& pose_text(int pose) const;
+  /// Chosen sensors whose range was never calibrated: their directions may be degrees off.
+  [[nodiscard]] QStringList without_range() const;
+
+  [[nodiscard]] QString obstacle() const;
+  void next();
+  void back();
+  [[nodiscard]] bool would_lose() const;
+  void cancel();
+
+  // Countdown and holding.
+  [[nodiscard]] int pose() const { return pose_; }  ///< 0 or 1.
+  [[nodiscard]] bool checking() const { return checking_; }
+  [[nodiscard]] double countdown_s() const { return countdown_s_; }
+  void set_countdown_s(double seconds);
+  [[nodiscard]] double countdown_left_s() const { return left_s_; }
+  /// Lets wall-clock time pass on the countdown page; the timer calls it, and so do tests.
+  void advance(double elapsed_s);
+  [[nodiscard]] const calibrate::PoseProgress& progress() const { return progress_; }
+  [[nodiscard]] const std::vector<HolderState>& holders() const { return holders_; }
+  [[nodiscard]] double still_threshold_g() const { return calibrate::LimbParameters().good_movement_g; }
+  /// 0..1 while the still second is confirmed.
+  [[nodiscard]] double captured_fraction() const;
+  /// Nobody got still enough, but the stillest second could be used.
+  [[nodiscard]] bool can_take_stillest() const;
+  void take_stillest();
+  /// Goes on without a sensor that gives no signal; at least one other must remain.
+  [[nodiscard]] bool can_leave_out(int sensor) const;
+  void leave_out(int sensor);
+  [[nodiscard]] bool source_lost() const { return page_ == LimbPage::kHold && !desk_.source().running(); }
+
+  // Result.
+  [[nodiscard]] const std::vector<LimbOutcome>& outcomes() const { return outcomes_; }
+  /// Why the poses as a whole were refused; empty message: they were not.
+  [[nodiscard]] const Error& refusal() const { return refusal_; }
+  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+  void decide(int sensor, Decision decision);
+  void repeat(int sensor);
+  void repeat_both();
+  [[nodiscard]] int accepted() const;
+  void save();
+  void show_outcomes(int group, std::vector<LimbOutcome> outcomes, Error refusal);
+
+  // Check.
+  void check(int pose);
+  [[nodiscard]] const std::vector<calibrate::PoseCheck>& checks() const { return checks_; }
+
+ Q_SIGNALS:
+  void page_changed();
+  void choice_changed();
+  void counted(int whole_seconds_left);  ///< Once per whole second; 0 when holding begins.
+  void held();                           ///< New readings while holding.
+  void captured(int pose);
+  void outcomes_changed();
+  void saved(int sensors);
+  void save_failed(const QString& text);
+  void left();
+
+ private:
+  void set_page(LimbPage page);
+  void start_poses(const std::vector<int>& sensors);
+  void start_countdown(int pose);
+  void start_hold();
+  void take_frames(const std::vector<decode::AccelerationFrame>& frames);
+  void capture();
+  void compute();
+  void compute_check();
+  void merge(const Result<calibrate::LimbResult>& result);
+  [[nodiscard]] calibrate::RigCalibration with_accepted() const;
+  void make_calibrator();
+
+  CalibrationDesk& desk_;
+  body::Rig rig_;
+  body::Skeleton skeleton_;
+  LimbPage page_ = LimbPage::kChoose;
+  int group_ = 0;
+  std::vector<int> sensors_;
+  std::vector<int> held_by_;  ///< Sensors of the running attempt.
+  int pose_ = 0;
+  bool checking_ = false;
+  double countdown_s_ = 5.0, left_s_ = 0.0;
+  QTimer timer_;
+  QElapsedTimer clock_;
+  std::unique_ptr<calibrate::LimbCalibrator> calibrator_;
+  std::array<std::vector<decode::AccelerationFrame>, 2> frames_;
+  MovementMeter meter_;
+  calibrate::PoseProgress progress_;
+  std::vector<HolderState> holders_;
+  double ready_since_s_ = -1.0;
+  std::vector<LimbOutcome> outcomes_;
+  Error refusal_;
+  Diagnostics diagnostics_;
+  std::vector<calibrate::PoseCheck> checks_;
+  bool saving_ = false;
+  std::uint64_t attempt_ = 0;
+};
+
+}  // namespace limbwave::ui

@@ -1,0 +1,163 @@
+#include "workspaces/calibrate_workspace.h"
+
+#include <QVBoxLayout>
+
+#include "calibration/take_segments.h"
+#include "workspaces/calibrate_history.h"
+
+namespace limbwave::ui {
+
+CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::CalibrationLibrary library,
+                                       std::unique_ptr<CalibrationSource> source, QWidget* parent)
+    : Workspace(parent),
+      context_(context),
+      source_(source ? std::move(source) : std::make_unique<LiveCalibrationSource>(context.live())),
+      desk_(std::make_unique<CalibrationDesk>(context, *source_, std::move(library))),
+      range_model_(std::make_unique<RangeWizardModel>(*desk_)),
+      limb_model_(std::make_unique<LimbWizardModel>(*desk_)),
+      pages_(new QStackedWidget(this)),
+      empty_(new EmptyState(QStringLiteral("calibrate"), pages_)),
+      overview_(new CalibrateOverview(*desk_, pages_)),
+      range_wizard_(new RangeWizard(*range_model_, pages_)),
+      limb_wizard_(new LimbWizard(*limb_model_, pages_)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(pages_);
+  empty_->set_texts(tr("Nothing to calibrate yet"),
+                    tr("Open a device in Capture to calibrate its sensors, or open a take to look at its calibration "
+                       "and compute it anew."));
+  QPushButton* device = empty_->add_button(tr("Open a device in Capture"), true);
+  device->setObjectName(QStringLiteral("open_device"));
+  const auto go_to_devices = [this] { context_.reveal(QStringLiteral("capture"), QStringLiteral("devices")); };
+  connect(device, &QPushButton::clicked, this, go_to_devices);
+  QPushButton* take = empty_->add_button(tr("Choose a take"), false);
+  connect(take, &QPushButton::clicked, this, [this] { context_.reveal(QStringLiteral("welcome")); });
+  for (QWidget* page : std::initializer_list<QWidget*>{empty_, overview_, range_wizard_, limb_wizard_}) {
+    pages_->addWidget(page);
+  }
+  connect(desk_.get(), &CalibrationDesk::changed, this, [this] {
+    if (pages_->currentWidget() == empty_ || pages_->currentWidget() == overview_) {
+      show_overview();
+    }
+  });
+  connect(overview_, &CalibrateOverview::range_wanted, this, &CalibrateWorkspace::start_range);
+  connect(overview_, &CalibrateOverview::mount_wanted, this, &CalibrateWorkspace::start_limb);
+  connect(overview_, &CalibrateOverview::range_from_take_wanted, this, &CalibrateWorkspace::range_from_this_take);
+  connect(overview_, &CalibrateOverview::limb_from_take_wanted, this, &CalibrateWorkspace::limb_from_this_take);
+  connect(range_wizard_, &RangeWizard::device_wanted, this, go_to_devices);
+  connect(limb_wizard_, &LimbWizard::device_wanted, this, go_to_devices);
+  connect(limb_wizard_, &LimbWizard::range_wanted, this, &CalibrateWorkspace::start_range);
+  connect(range_model_.get(), &RangeWizardModel::left, this, &CalibrateWorkspace::show_overview);
+  connect(limb_model_.get(), &LimbWizardModel::left, this, &CalibrateWorkspace::show_overview);
+  connect(range_model_.get(), &RangeWizardModel::saved, this,
+          [this](int count) { tell_saved(count, tr("Range calibration")); });
+  connect(limb_model_.get(), &LimbWizardModel::saved, this,
+          [this](int count) { tell_saved(count, tr("Mounting calibration")); });
+  show_overview();
+}
+
+CalibrateWorkspace::~CalibrateWorkspace() {
+  // Pages look at the models until they are gone.
+  delete pages_;
+}
+
+void CalibrateWorkspace::activate() {
+  desk_->refresh();
+}
+
+QWidget* CalibrateWorkspace::create_inspector() {
+  auto* history = new CalibrateHistory(*desk_);
+  // The window owns it from now on and may keep it longer than the desk that it shows.
+  connect(this, &QObject::destroyed, history, &QObject::deleteLater);
+  return history;
+}
+
+void CalibrateWorkspace::reveal(const QString& topic) {
+  if (topic == QLatin1String("range")) {
+    start_range({});
+  } else if (topic == QLatin1String("mounting")) {
+    start_limb(-1, false);
+  } else if (topic.startsWith(QLatin1String("sensor:"))) {
+    context_.selection().select(SelectionKind::kSensor, topic.mid(7).toInt());
+  }
+}
+
+void CalibrateWorkspace::show_overview() {
+  overview_->refresh();
+  pages_->setCurrentWidget(desk_->has_rig() ? static_cast<QWidget*>(overview_) : empty_);
+}
+
+void CalibrateWorkspace::start_range(const std::vector<int>& sensors) {
+  if (desk_->has_rig()) {
+    pages_->setCurrentWidget(range_wizard_);
+    range_model_->begin(sensors);
+  }
+}
+
+void CalibrateWorkspace::start_limb(int sensor, bool only) {
+  if (desk_->has_rig()) {
+    pages_->setCurrentWidget(limb_wizard_);
+    limb_model_->begin(sensor, only);
+  }
+}
+
+void CalibrateWorkspace::range_from_this_take() {
+  if (!context_.document().is_open()) {
+    return;
+  }
+  using Outcomes = std::vector<RangeOutcome>;
+  const std::shared_ptr<const take::Take> take = context_.document().take();
+  context_.jobs().compute<Outcomes>(
+      tr("Range calibration from %1").arg(context_.document().name()), this,
+      [take](const Progress& progress) { return range_from_take(*take, progress); },
+      [this, take](Result<Outcomes> outcomes) {
+        if (!outcomes) {
+          context_.notifications().post_error(tr("Range calibration"), outcomes.error());
+        } else if (context_.document().take() == take) {
+          pages_->setCurrentWidget(range_wizard_);
+          range_model_->show_outcomes(std::move(outcomes).value());
+        }
+      });
+}
+
+void CalibrateWorkspace::limb_from_this_take(int group) {
+  if (!context_.document().is_open()) {
+    return;
+  }
+  const std::shared_ptr<const take::Take> take = context_.document().take();
+  context_.jobs().compute<LimbFromTake>(
+      tr("Mounting calibration from %1").arg(context_.document().name()), this,
+      [take, group, range = desk_->calibration()](const Progress& progress) {
+        return limb_from_take(*take, group, range, progress);
+      },
+      [this, take](Result<LimbFromTake> found) {
+        if (!found) {
+          context_.notifications().post_error(tr("Mounting calibration"), found.error());
+        } else if (context_.document().take() == take) {
+          pages_->setCurrentWidget(limb_wizard_);
+          limb_model_->show_outcomes(found->group, std::move(found->outcomes), found->refusal);
+        }
+      });
+}
+
+void CalibrateWorkspace::tell_saved(int count, const QString& what) {
+  const QString where = desk_->recording_folder().empty() ? QString() : desk_->recording_note();
+  context_.notifications().post(Severity::kInfo, tr("%1 of %2 is saved and in use.").arg(what, counted_sensors(count)),
+                                where);
+}
+
+WorkspaceEntry calibrate_entry() {
+  WorkspaceEntry entry;
+  entry.id = QStringLiteral("calibrate");
+  entry.title = CalibrateWorkspace::tr("Calibrate");
+  entry.hint = CalibrateWorkspace::tr("Find each sensor's zero and scale, and how it sits on its limb");
+  entry.icon = QStringLiteral("calibrate");
+  entry.shortcuts = {{CalibrateWorkspace::tr("Enter"), CalibrateWorkspace::tr("Next step of a calibration")},
+                     {CalibrateWorkspace::tr("Esc"), CalibrateWorkspace::tr("Leave a calibration, asking first")}};
+  entry.create = [](StudioContext& context, QWidget* parent) {
+    return new CalibrateWorkspace(context, take::CalibrationLibrary(), nullptr, parent);
+  };
+  return entry;
+}
+
+}  // namespace limbwave::ui
