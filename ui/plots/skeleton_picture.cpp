@@ -127,6 +127,13 @@ QImage skeleton_picture(const motion::Clip& clip, int instants, QSize panel) {
               [&](std::size_t a, std::size_t b) { return camera.depth(pose[a].p_WL) < camera.depth(pose[b].p_WL); });
     for (const std::size_t s : order) {
       const body::Segment& segment = clip.skeleton.segments[s];
+      // What does not hang on its parent's end (a shoulder beside the spine) is joined to it by a thin line.
+      if (segment.parent >= 0) {
+        const auto p = static_cast<std::size_t>(segment.parent);
+        const QPointF end = camera.project(bone_end(clip.skeleton.segments[p], pose[p]));
+        painter.setPen(QPen(kBones[p % std::size(kBones)].darker(130), 2.0));
+        painter.drawLine(end, camera.project(pose[s].p_WL));
+      }
       const double width = std::clamp(0.11 * segment.length, 0.012, 0.06) * camera.scale;
       draw_bone(painter, camera.project(pose[s].p_WL), camera.project(bone_end(segment, pose[s])), width,
                 kBones[s % std::size(kBones)]);
