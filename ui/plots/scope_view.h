@@ -34,7 +34,7 @@ class ScopeView : public QWidget {
  private:
   struct Bands;
   [[nodiscard]] Bands bands() const;
-  void paint_slots(QPainter& painter, const Bands& bands, const ScopeWindow& window, const AxisMap& x) const;
+  void paint_slots(QPainter& painter, const Bands& areas, const ScopeWindow& window, const AxisMap& x) const;
   void paint_channel(QPainter& painter, const QRectF& band, const ScopeWindow& window, const AxisMap& x, int channel,
                      bool slots_known) const;
   void paint_ground(QPainter& painter, const QRectF& band) const;
