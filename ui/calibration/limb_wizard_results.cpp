@@ -14,7 +14,7 @@ void LimbWizardModel::compute() {
   desk_.context().jobs().compute<calibrate::LimbResult>(
       tr("Computing the mounting"), this,
       [calibrator, date = now_iso()](const Progress&) { return calibrator->finish(date); },
-      [this, attempt](Result<calibrate::LimbResult> result) {
+      [this, attempt](const Result<calibrate::LimbResult>& result) {
         if (attempt != attempt_) {
           return;
         }

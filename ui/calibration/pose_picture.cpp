@@ -29,6 +29,7 @@ std::vector<body::SegmentPose> figure_in_pose(const body::Rig& rig, const body::
   const std::vector<body::SegmentPose> rest = body::poses_from_joints(
       skeleton, std::vector<Quaterniond>(skeleton.segments.size(), Quaterniond::Identity()), root);
   std::vector<Quaterniond> R_WL;
+  R_WL.reserve(rest.size());
   for (const body::SegmentPose& segment : rest) {
     R_WL.push_back(segment.R_WL);
   }
