@@ -67,11 +67,13 @@ function(limbwave_add_test name)
   else()
     list(APPEND environment "LIMBWAVE_DATA=${CMAKE_SOURCE_DIR}/../shared/data")
   endif()
-  if(ARG_QT)
-    target_link_libraries(${name} PRIVATE Qt6::Test)
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/ui")
     # Only here, for screenshots: a path on the command line keeps the compiler cache from serving another checkout.
     target_compile_definitions(${name} PRIVATE LIMBWAVE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
       LIMBWAVE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  endif()
+  if(ARG_QT)
+    target_link_libraries(${name} PRIVATE Qt6::Test)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     add_test(NAME ${name} COMMAND "${CMAKE_SOURCE_DIR}/tests/support/with_display.sh" $<TARGET_FILE:${name}>)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
