@@ -31,7 +31,8 @@ Matrix3d left_jacobian_inverse(const Vector3d& phi);
 
 /// The rotation R with the smallest angle such that R * from is parallel to `to`; lengths do not matter.
 /// For opposite directions, where every perpendicular axis serves, the axis is `fallback_axis` made perpendicular to
-/// `from` (or any perpendicular one when that vanishes). Input without a direction (zero, not finite) gives the identity.
+/// `from` (or any perpendicular one when that vanishes). Input without a direction (zero, not finite) gives the
+/// identity.
 Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to, const Vector3d& fallback_axis = Vector3d::UnitY());
 
 /// Angle of R1ᵀ R2, 0..π: the error between two orientations.

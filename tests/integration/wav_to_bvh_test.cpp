@@ -24,8 +24,8 @@ using testing_support::TemporaryFolder;
 TEST(WavToBvh, ThroughTheCommandLine) {
   const TemporaryFolder folder;
   const CommandLine limbwave(folder.path());
-  ASSERT_EQ(
-      limbwave.run({"simulate", "sim.take", "--motion", "arm-raise", "--errors", "accurate", "--seed", "5"}).status, 0);
+  ASSERT_EQ(limbwave.run({"simulate", "sim.take", "--motion", "reach", "--errors", "accurate", "--seed", "5"}).status,
+            0);
   // The recorder knows nothing of takes: only its WAV is taken over.
   std::filesystem::rename(folder / "sim.take/signal.wav", folder / "RECORD01.WAV");
   const auto imported = limbwave.run({"import", "walk.take", "RECORD01.WAV"});

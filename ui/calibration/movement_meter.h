@@ -12,8 +12,8 @@ namespace limbwave::ui {
 /// One sensor over the newest second.
 struct SensorMovement {
   double movement_g = 0.0;                          ///< RMS of specific force about its mean, g.
-  bool heard = false;       ///< There are readings, usable or not.
-  bool has_signal = false;  ///< Readings were usable within the newest half second.
+  bool heard = false;                               ///< There are readings, usable or not.
+  bool has_signal = false;                          ///< Readings were usable within the newest half second.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< Newest usable specific force, m/s², sensor frame.
 };
 
