@@ -6,7 +6,9 @@
 
 #include "commands.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   using namespace limbwave::cli;
   Console::catch_interrupts();
   Console console;
@@ -40,4 +42,15 @@ int main(int argc, char** argv) {
     return 1;
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (...) {
+    std::fputs("limbwave: unexpected failure; please report this\n", stderr);
+    return 1;
+  }
 }

@@ -43,7 +43,7 @@ VerdictRowContent limb_row(const LimbOutcome& outcome, const body::Rig& rig, boo
   const calibrate::SensorLimbResult& result = *outcome.result;
   content.acceptable = true;
   content.state = {verdict_tone(result.verdict), verdict_word(result.verdict),
-                   format_degrees(result.mount.pose_angle_deg), LimbWizard::tr("between the poses")};
+                   format_degrees(result.mount.pose_angle_deg), LimbWizard::tr("between poses")};
   content.text = LimbWizard::tr("%1 from 90°, held within %2.")
                      .arg(format_degrees(result.angle_error_deg, true), format_mg(result.movement_g));
   const calibrate::LimbParameters limits;
