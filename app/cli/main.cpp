@@ -29,7 +29,12 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "limbwave: %s; see limbwave --help\n", error.what());
+    const bool unknown = argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr;
+    if (unknown) {
+      std::fprintf(stderr, "limbwave: \"%s\" is not a command; see limbwave --help\n", argv[1]);
+    } else {
+      std::fprintf(stderr, "limbwave: %s; see limbwave --help\n", error.what());
+    }
     return 2;
   } catch (const CommandFailed& error) {
     std::fprintf(stderr, "limbwave: %s\n", error.what());

@@ -157,7 +157,7 @@ void LiveSession::Impl::record(std::span<const std::byte> bytes) {
     recording_start = frames_pulled;
   }
   if (recording_error.empty()) {
-    if (const Status status = recorder->write(bytes); !status) {
+    if (Status status = recorder->write(bytes); !status) {
       recording_error = status.error().text();
     }
   }
@@ -238,7 +238,7 @@ void LiveSession::Impl::publish() {
   snapshot->line = front.status();
   const std::size_t scope_size = std::min(scope.size(), 2 * static_cast<std::size_t>(kScope_s * format.rate.hz));
   snapshot->scope.assign(scope.end() - static_cast<std::ptrdiff_t>(scope_size), scope.end());
-  snapshot->scope_first_sample = static_cast<double>(frames_pulled) - static_cast<double>(scope_size / 2);
+  snapshot->scope_first_sample = static_cast<double>(frames_pulled - static_cast<std::int64_t>(scope_size / 2));
   for (const decode::LineInCycle& cycle : cycles) {
     if (cycle.start_sample + cycle.period_samples > snapshot->scope_first_sample) {
       snapshot->scope_cycles.push_back(cycle);
@@ -297,7 +297,7 @@ Status LiveSession::start() {
   if (impl_->worker.joinable()) {
     return {};
   }
-  if (const Status status = impl_->source->start(); !status) {
+  if (Status status = impl_->source->start(); !status) {
     return status;
   }
   impl_->stopping = false;

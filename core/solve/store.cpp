@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -26,7 +27,7 @@ nlohmann::json trust_to_json(const std::vector<std::vector<float>>& trust) {
   for (const std::vector<float>& sensor : trust) {
     std::vector<int> percent(sensor.size());
     std::transform(sensor.begin(), sensor.end(), percent.begin(),
-                   [](float value) { return static_cast<int>(100.0F * value + 0.5F); });
+                   [](float value) { return static_cast<int>(std::lround(100.0F * value)); });
     list.push_back(percent);
   }
   return list;
@@ -52,11 +53,10 @@ Result<nlohmann::json> load_json(const fs::path& path) {
 }
 
 Status write_parts(const fs::path& folder, const Solve& solve) {
-  if (const Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
+  if (Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
     return status;
   }
-  if (const Status status = write_file(folder / "settings.json", settings_to_json(solve.settings).dump(2) + "\n");
-      !status) {
+  if (Status status = write_file(folder / "settings.json", settings_to_json(solve.settings).dump(2) + "\n"); !status) {
     return status;
   }
   nlohmann::json quality = report_to_json(solve);
@@ -67,7 +67,7 @@ Status write_parts(const fs::path& folder, const Solve& solve) {
 }  // namespace
 
 Status save_solve(const take::Take& take, const Solve& solve) {
-  if (const Status status = check_name(solve.settings.name); !status) {
+  if (Status status = check_name(solve.settings.name); !status) {
     return status;
   }
   const fs::path solves = take.folder / "solves";
@@ -81,7 +81,7 @@ Status save_solve(const take::Take& take, const Solve& solve) {
   if (code) {
     return Error{"cannot be made (" + code.message() + ")", part.string(), "check that you may write into the take"};
   }
-  if (const Status status = write_parts(part, solve); !status) {
+  if (Status status = write_parts(part, solve); !status) {
     fs::remove_all(part, code);
     return status;
   }
@@ -101,7 +101,7 @@ Status save_solve(const take::Take& take, const Solve& solve) {
 }
 
 Result<Solve> load_solve(const take::Take& take, const std::string& name) {
-  if (const Status status = check_name(name); !status) {
+  if (Status status = check_name(name); !status) {
     return status.error();
   }
   const fs::path folder = take.folder / "solves" / name;
