@@ -29,7 +29,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    const bool unknown = argc > 1 && argv[1][0] != '-' && app.get_subcommand_no_throw(argv[1]) == nullptr;
+    const bool unknown = argc > 1 && argv[1][0] != '-' &&
+                         app.get_subcommands([&](CLI::App* command) { return command->get_name() == argv[1]; }).empty();
     if (unknown) {
       std::fprintf(stderr, "limbwave: \"%s\" is not a command; see limbwave --help\n", argv[1]);
     } else {

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <algorithm>
+#include <numeric>
 
 #include "base/units.h"
 #include "common/theme.h"
@@ -200,10 +201,8 @@ void RangeWizard::show_page() {
 }
 
 void RangeWizard::refresh_chooser() {
-  std::vector<int> all;
-  for (int s = 0; s < static_cast<int>(model_.rig().accelerometers.size()); ++s) {
-    all.push_back(s);
-  }
+  std::vector<int> all(model_.rig().accelerometers.size());
+  std::iota(all.begin(), all.end(), 0);
   chooser_->set_sensors(model_.rig(), all, model_.chosen(), [this](int sensor) {
     return range_state(model_.desk().calibration().sensors.at(static_cast<std::size_t>(sensor)));
   });
