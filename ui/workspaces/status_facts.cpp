@@ -1,6 +1,7 @@
 #include "workspaces/status_facts.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <cmath>
 
 #include "common/format.h"
