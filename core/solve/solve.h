@@ -1,5 +1,5 @@
 /// The way from a take to a clip: decode, align, calibrate, estimate, with a quality report. Live and offline run the
-/// same stages (solve/pipeline.h).
+/// same stages (solve/front_end.h).
 #pragma once
 
 #include <filesystem>
