@@ -33,3 +33,7 @@ if $all; then
 else
   ctest --preset ci -j 2 -LE 'slow|interop'
 fi
+if $all; then
+  step "demo without a display"
+  env -u DISPLAY -u WAYLAND_DISPLAY LIMBWAVE_DEMO_FOLDER="$top/build/demo-test" packaging/run.sh
+fi
