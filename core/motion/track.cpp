@@ -106,15 +106,15 @@ T sample_track(const Track<T>& track, double time_s) {
   return cubic(track.values[i], track.values[i + 1], va * h, vb * h, u);
 }
 
-// Velocity of the curve at a time that is on no key: central differences over two thousandths of the piece.
+// Velocity of the curve: central differences over two thousandths of the piece, one-sided at its ends.
 template <typename T>
 Vector3d velocity_at(const Track<T>& track, double time_s) {
-  const auto [i, u] = locate(track.times, time_s);
-  if (i + 1 >= track.times.size()) {
-    return Vector3d::Zero();
+  assert(!track.empty());
+  const std::size_t i = locate(track.times, time_s).index;
+  if (i + 1 >= track.times.size() || time_s < track.times.front()) {
+    return Vector3d(0, 0, 0);
   }
-  const double h = track.times[i + 1] - track.times[i];
-  const double step = 1e-3 * h;
+  const double step = 1e-3 * (track.times[i + 1] - track.times[i]);
   const double from = std::max(time_s - step, track.times[i]);
   const double to = std::min(time_s + step, track.times[i + 1]);
   return difference(sample_track(track, from), sample_track(track, to)) / (to - from);
@@ -251,6 +251,28 @@ RotationTrack resampled(const RotationTrack& track, std::size_t frames, double f
 }
 PositionTrack resampled(const PositionTrack& track, std::size_t frames, double fps) {
   return resampled_track(track, frames, fps);
+}
+
+RotationTrack with_velocities(RotationTrack track) {
+  if (!track.empty()) {
+    make_explicit(track);
+    simplify(track);
+  }
+  return track;
+}
+PositionTrack with_velocities(PositionTrack track) {
+  if (!track.empty()) {
+    make_explicit(track);
+    simplify(track);
+  }
+  return track;
+}
+
+Vector3d velocity(const RotationTrack& track, double time_s) {
+  return velocity_at(track, time_s);
+}
+Vector3d velocity(const PositionTrack& track, double time_s) {
+  return velocity_at(track, time_s);
 }
 
 RotationTrack trimmed(const RotationTrack& track, double begin_s, double end_s) {

@@ -46,6 +46,15 @@ Vector3d sample(const PositionTrack& track, double time_s);
 RotationTrack resampled(const RotationTrack& track, std::size_t frames, double fps);
 PositionTrack resampled(const PositionTrack& track, std::size_t frames, double fps);
 
+/// The same curve with its velocities written down where it has cubic pieces, so that keys can be added to it.
+RotationTrack with_velocities(RotationTrack track);
+PositionTrack with_velocities(PositionTrack track);
+
+/// Velocity of the curve at a time (position: metres per second; rotation: rotation vector per second in the frame that
+/// the value has there); 0 outside the keys. On a key, that of the piece behind it. Asserts that the track is not empty.
+Vector3d velocity(const RotationTrack& track, double time_s);
+Vector3d velocity(const PositionTrack& track, double time_s);
+
 /// The part from `begin_s` to `end_s`, moved to start at 0. Keys inside stay as they are; the cut ends get a key with
 /// the value and, where the track has velocities, the velocity that was there.
 RotationTrack trimmed(const RotationTrack& track, double begin_s, double end_s);
