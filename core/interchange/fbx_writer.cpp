@@ -48,12 +48,8 @@ FbxFrames frames_of(const FbxWriteOptions& options) {
   } else {
     world << 0, 1, 0, -1, 0, 0, 0, 0, 1;  // (y, −x, z)
   }
-  Eigen::Matrix3d bone = Eigen::Matrix3d::Identity();
-  if (options.bone_axis == FbxBoneAxis::kY) {
-    bone << 0, 1, 0, 0, 0, 1, 1, 0, 0;  // our x is the node's y
-  } else if (options.bone_axis == FbxBoneAxis::kZ) {
-    bone << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // our x is the node's z
-  }
+  Eigen::Matrix3d bone;
+  bone << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // the node's (x, y, z) are our (y, z, x)
   return {Quaterniond(world), Quaterniond(bone), 1.0 / options.metres_per_unit};
 }
 

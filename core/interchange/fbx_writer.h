@@ -11,8 +11,6 @@
 
 namespace limbwave::interchange {
 
-/// Which axis of the file's bones runs along the bone: Y in Blender, X in Maya and Unreal. Z is what our glTF has.
-enum class FbxBoneAxis { kX, kY, kZ };
 /// The file's world: Y up with figures facing +Z, or Z up with figures facing −Y.
 enum class FbxUpAxis { kY, kZ };
 
@@ -21,7 +19,6 @@ struct FbxWriteOptions {
   /// this, or that of the first clip; 23.976 means 24/1.001 and so on.
   double fps = 0.0;
   FbxKeyMode keys = FbxKeyMode::kDense;
-  FbxBoneAxis bone_axis = FbxBoneAxis::kZ;
   FbxUpAxis up = FbxUpAxis::kY;
   /// Length of the file's unit; the file says so (UnitScaleFactor). Unreal wants centimetres.
   double metres_per_unit = 0.01;
@@ -31,6 +28,9 @@ struct FbxWriteOptions {
 /// rest pose (PreRotation) and names, made unique across the file; the clips' skinned meshes with clusters and bind
 /// pose; one animation stack, named as the first clip. Clips without keys give no animation. Memory beyond the clips'
 /// own is bounded by the curves of one joint. Independent of locale.
+/// A bone's own axes are those of its frame L, as in our glTF: the file's z is L's x (file_axes.h).
+/// Blender makes bones at least 0.01 file units long and turns shorter ones by up to a milliradian: skeletons with
+/// joints that coincide come right there in metres only.
 /// Fails when there is no clip, a clip is not valid (clip_check.h), a mesh is not, the frame rate is not positive, the
 /// file would exceed 4 GB, cannot be written, or when cancelled.
 Status write_fbx(std::span<const motion::Clip* const> clips, const std::filesystem::path& path,
