@@ -34,10 +34,10 @@ Similarity similarity_of(const Eigen::Matrix4d& matrix, bool& is_uniform);
 
 /// One tree of bones.
 struct GltfTree {
-  std::vector<int> nodes;       ///< Node of every segment, parents first.
-  body::Skeleton skeleton;      ///< In z up and metres; frames as in the file.
-  Similarity above;             ///< Of what stands still above the root, in the file's axes.
-  std::vector<double> scales;   ///< World scale of every segment's parent (root: of `above`).
+  std::vector<int> nodes;      ///< Node of every segment, parents first.
+  body::Skeleton skeleton;     ///< In z up and metres; frames as in the file.
+  Similarity above;            ///< Of what stands still above the root, in the file's axes.
+  std::vector<double> scales;  ///< World scale of every segment's parent (root: of `above`).
 };
 
 /// All trees of bones of a model. Fails on nodes that are their own ancestors, have two parents or do not exist.

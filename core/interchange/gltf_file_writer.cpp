@@ -100,7 +100,8 @@ class SceneWriter {
     const std::vector<std::string> roles = roles_of(clip.skeleton);
     for (std::size_t i = 0; i < roles.size(); ++i) {
       if (!roles[i].empty()) {
-        bones[roles[i]] = tinygltf::Value(tinygltf::Value::Object{{"node", tinygltf::Value(first_ + static_cast<int>(i))}});
+        bones[roles[i]] =
+            tinygltf::Value(tinygltf::Value::Object{{"node", tinygltf::Value(first_ + static_cast<int>(i))}});
       }
     }
     const auto text = [](const char* words) { return tinygltf::Value(std::string(words)); };
@@ -109,10 +110,10 @@ class SceneWriter {
         {"authors", tinygltf::Value(tinygltf::Value::Array{text("Limbwave")})},
         {"licenseUrl", text("https://vrm.dev/licenses/1.0/")},
     };
-    tinygltf::Value::Object vrm{{"specVersion", text("1.0")},
-                                {"meta", tinygltf::Value(std::move(meta))},
-                                {"humanoid", tinygltf::Value(tinygltf::Value::Object{
-                                                 {"humanBones", tinygltf::Value(std::move(bones))}})}};
+    tinygltf::Value::Object vrm{
+        {"specVersion", text("1.0")},
+        {"meta", tinygltf::Value(std::move(meta))},
+        {"humanoid", tinygltf::Value(tinygltf::Value::Object{{"humanBones", tinygltf::Value(std::move(bones))}})}};
     model_.extensions["VRMC_vrm"] = tinygltf::Value(std::move(vrm));
     model_.extensionsUsed.push_back("VRMC_vrm");
   }
@@ -127,7 +128,8 @@ class SceneWriter {
     model_.asset.extras =
         tinygltf::Value(tinygltf::Value::Object{{"frame_rate_hz", tinygltf::Value(first.frame_rate_hz)}});
     if (buffer_.size() > kLargestFile) {
-      return Error{"does not fit into a glTF file (4 GB)", path.string(), "export a part of it or fewer frames a second"};
+      return Error{"does not fit into a glTF file (4 GB)", path.string(),
+                   "export a part of it or fewer frames a second"};
     }
     if (buffer_.size() == 0) {
       model_.buffers.clear();
@@ -203,15 +205,13 @@ class SceneWriter {
     primitive.attributes["JOINTS_0"] =
         buffer_.add(std::span<const std::uint16_t>(joints), 4, TINYGLTF_TYPE_VEC4,
                     TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TARGET_ARRAY_BUFFER, false);
-    primitive.attributes["WEIGHTS_0"] =
-        buffer_.add_floats(weights, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
+    primitive.attributes["WEIGHTS_0"] = buffer_.add_floats(weights, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
     std::vector<std::uint32_t> corners;
     for (const auto& triangle : mesh.triangles) {
       corners.insert(corners.end(), triangle.begin(), triangle.end());
     }
-    primitive.indices =
-        buffer_.add(std::span<const std::uint32_t>(corners), 1, TINYGLTF_TYPE_SCALAR,
-                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, false);
+    primitive.indices = buffer_.add(std::span<const std::uint32_t>(corners), 1, TINYGLTF_TYPE_SCALAR,
+                                    TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, false);
     tinygltf::Mesh entry;
     entry.name = name;
     entry.primitives.push_back(std::move(primitive));

@@ -119,8 +119,8 @@ std::optional<Bytes> locate(const tinygltf::Model& model, int view_index, std::s
   const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
   const std::size_t stride = view.byteStride == 0 ? element : view.byteStride;
   // Each step is checked against what is left, so that no sum can wrap around.
-  if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset ||
-      offset > view.byteLength || stride < element) {
+  if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset || offset > view.byteLength ||
+      stride < element) {
     return {};
   }
   const std::size_t room = view.byteLength - offset;
@@ -217,8 +217,8 @@ std::optional<std::vector<double>> components(const tinygltf::Model& model, cons
     const auto count = static_cast<std::size_t>(sparse.count);
     const auto indices = locate(model, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
                                 count, static_cast<std::size_t>(index_size));
-    const auto replaced = locate(model, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
-                                 count, element);
+    const auto replaced =
+        locate(model, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count, element);
     if (!indices || !replaced) {
       return {};
     }
@@ -253,12 +253,11 @@ Result<tinygltf::Model> parse_gltf(std::string_view bytes, const std::string& pl
   std::string warning;
   bool read = false;
   try {
-    read = is_binary(bytes)
-               ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                             reinterpret_cast<const unsigned char*>(bytes.data()),
-                                             static_cast<unsigned int>(bytes.size()), folder.string())
-               : loader.LoadASCIIFromString(&model, &error, &warning, text->data(),
-                                            static_cast<unsigned int>(text->size()), folder.string());
+    read = is_binary(bytes) ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                          reinterpret_cast<const unsigned char*>(bytes.data()),
+                                                          static_cast<unsigned int>(bytes.size()), folder.string())
+                            : loader.LoadASCIIFromString(&model, &error, &warning, text->data(),
+                                                         static_cast<unsigned int>(text->size()), folder.string());
   } catch (const std::exception& exception) {  // the library throws on JSON of unexpected types
     error = exception.what();
   }

@@ -20,7 +20,8 @@ Result<tinygltf::Model> parse_gltf(std::string_view bytes, const std::string& pl
                                    const std::filesystem::path& folder = {});
 
 /// All numbers of an accessor as floats, row by row; integers that are normalised become -1..1 or 0..1. Nothing when
-/// the accessor does not exist, has another type than one of `types` (TINYGLTF_TYPE_...), or reaches outside its buffer.
+/// the accessor does not exist, has another type than one of `types` (TINYGLTF_TYPE_...), or reaches outside its
+/// buffer.
 struct GltfNumbers {
   std::vector<float> values;
   std::size_t width = 0;  ///< Numbers an element.

@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/files.h"
+#include "interchange/file_axes.h"
+#include "interchange/frame_rate.h"
+#include "interchange/gltf_bones.h"
+#include "interchange/gltf_file.h"
+#include "interchange/gltf_mesh_reader.h"
+#include "interchange/gltf_model.h"
+#include "interchange/names.h"
+
+namespace limbwave::interchange {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using motion::Interpolation;
+
+// Joints whose places differ from rest by less, metres, do not slide: so much single precision leaves.
+constexpr double kSamePlace = 1e-6;
+constexpr double kLongestClip = 1e6;
+constexpr double kDefaultRate = 60.0;
+
+// Keys of one channel in the file's axes.
+struct Channel {
+  std::vector<double> times;
+  Interpolation interpolation = Interpolation::kLinear;
+  std::vector<Eigen::Vector4d> values, arriving, leaving;  // positions have w = 0
+};
+
+class AnimationReader {
+ public:
+  AnimationReader(const tinygltf::Model& model, const std::string& place, Diagnostics& diagnostics)
+      : model_(model), place_(place), diagnostics_(diagnostics) {}
+
+  // The keys of one animation that belong to the tree, put into the clip.
+  Status read(std::size_t number, const GltfTree& tree, motion::Clip& clip) {
+    const tinygltf::Animation& animation = model_.animations[number];
+    std::map<int, std::size_t> segment_of;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      segment_of[tree.nodes[i]] = i;
+    }
+    for (std::size_t c = 0; c < animation.channels.size(); ++c) {
+      const tinygltf::AnimationChannel& entry = animation.channels[c];
+      const auto segment = segment_of.find(entry.target_node);
+      const bool turns = entry.target_path == "rotation";
+      if (!turns && entry.target_path != "translation") {
+        unread_.push_back(entry.target_path);
+        continue;
+      }
+      if (segment == segment_of.end()) {
+        continue;
+      }
+      where_ = fmt::format("/animations/{}/channels/{}", number, c);
+      const Result<Channel> channel = keys(animation, entry, turns);
+      if (!channel) {
+        return channel.error();
+      }
+      turns ? rotation(*channel, tree, segment->second, clip) : position(*channel, tree, segment->second, clip);
+    }
+    if (!unread_.empty()) {
+      std::ranges::sort(unread_);
+      diagnostics_.push_back({Severity::kWarning, "gltf.unread-channels",
+                              fmt::format("movement of \"{}\" is left out", unread_.front()),
+                              "bake it into rotations and translations of bones", place_});
+      unread_.clear();
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] Error broken(const std::string& what) const {
+    return {where_ + ": " + what, place_, "export it again from the program that made it"};
+  }
+
+  Result<Channel> keys(const tinygltf::Animation& animation, const tinygltf::AnimationChannel& entry, bool turns) {
+    if (entry.sampler < 0 || static_cast<std::size_t>(entry.sampler) >= animation.samplers.size()) {
+      return broken("its sampler does not exist");
+    }
+    const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(entry.sampler)];
+    const auto times = gltf_numbers(model_, sampler.input, {TINYGLTF_TYPE_SCALAR});
+    const auto values = gltf_numbers(model_, sampler.output, {turns ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3});
+    const bool is_cubic = sampler.interpolation == "CUBICSPLINE";
+    if (!times || !values || values->count() != times->count() * (is_cubic ? 3 : 1)) {
+      return broken("its keys are not whole");
+    }
+    Channel channel;
+    channel.interpolation = is_cubic                          ? Interpolation::kCubic
+                            : sampler.interpolation == "STEP" ? Interpolation::kStep
+                                                              : Interpolation::kLinear;
+    channel.times.assign(times->values.begin(), times->values.end());
+    for (std::size_t i = 0; i < channel.times.size(); ++i) {
+      const double time = channel.times[i];
+      if (!(time >= 0.0 && time < kLongestClip && (i == 0 || time > channel.times[i - 1]))) {
+        return broken(fmt::format("the time of key {} is not later than the one before", i));
+      }
+    }
+    for (std::size_t i = 0; i < values->count(); ++i) {
+      Eigen::Vector4d value = Eigen::Vector4d::Zero();
+      for (std::size_t k = 0; k < values->width; ++k) {
+        value[static_cast<int>(k)] = static_cast<double>(values->values[i * values->width + k]);
+      }
+      const bool is_tangent = is_cubic && i % 3 != 1;
+      if (!value.allFinite() || value.cwiseAbs().maxCoeff() > 1e9 || (turns && !is_tangent && value.norm() < 1e-3)) {
+        return broken(fmt::format("key {} is not a usable number", is_cubic ? i / 3 : i));
+      }
+      (!is_cubic || i % 3 == 1 ? channel.values : i % 3 == 0 ? channel.arriving : channel.leaving).push_back(value);
+    }
+    return channel;
+  }
+
+  static void rotation(const Channel& channel, const GltfTree& tree, std::size_t segment, motion::Clip& clip) {
+    motion::RotationTrack& track = clip.joints[segment].rotation;
+    track.times = channel.times;
+    track.interpolation = channel.interpolation;
+    for (std::size_t i = 0; i < channel.values.size(); ++i) {
+      const Quaterniond q(channel.values[i]);
+      const Quaterniond R = q.normalized();
+      track.values.push_back(from_y_up(segment == 0 ? Quaterniond(tree.above.R * R) : R).normalized());
+      if (channel.interpolation == Interpolation::kCubic) {
+        // w = 2 q⁻¹ q', in the joint's own frame.
+        const auto velocity = [&](const Eigen::Vector4d& tangent) {
+          return from_y_up(Vector3d(2.0 * (q.inverse() * Quaterniond(tangent)).vec()));
+        };
+        track.arriving.push_back(velocity(channel.arriving[i]));
+        track.leaving.push_back(velocity(channel.leaving[i]));
+      }
+    }
+  }
+
+  static void position(const Channel& channel, const GltfTree& tree, std::size_t segment, motion::Clip& clip) {
+    const double scale = tree.scales[segment];
+    const Quaterniond turn = segment == 0 ? tree.above.R : Quaterniond::Identity();
+    const Vector3d shift = segment == 0 ? tree.above.p : Vector3d::Zero();
+    motion::PositionTrack track;
+    track.times = channel.times;
+    track.interpolation = channel.interpolation;
+    const Vector3d rest = clip.skeleton.segments[segment].p_PL;
+    double movement = 0.0;
+    for (std::size_t i = 0; i < channel.values.size(); ++i) {
+      track.values.push_back(from_y_up(Vector3d(shift + scale * (turn * channel.values[i].head<3>()))));
+      movement = std::max(movement, (track.values.back() - rest).norm());
+      if (channel.interpolation == Interpolation::kCubic) {
+        track.arriving.push_back(from_y_up(Vector3d(scale * (turn * channel.arriving[i].head<3>()))));
+        track.leaving.push_back(from_y_up(Vector3d(scale * (turn * channel.leaving[i].head<3>()))));
+      }
+    }
+    if (segment == 0) {
+      clip.root_position = std::move(track);
+    } else if (movement > kSamePlace) {
+      clip.joints[segment].position = std::move(track);
+    }
+  }
+
+  const tinygltf::Model& model_;
+  const std::string& place_;
+  Diagnostics& diagnostics_;
+  std::string where_;
+  std::vector<std::string> unread_;
+};
+
+// glTF knows no frames: what the file says beside it, else the rate at which the densest track has its keys.
+double frame_rate(const tinygltf::Model& model, const motion::Clip& clip) {
+  const tinygltf::Value& extras = model.asset.extras;
+  if (extras.IsObject() && extras.Has("frame_rate_hz") && extras.Get("frame_rate_hz").IsNumber()) {
+    const double rate = extras.Get("frame_rate_hz").GetNumberAsDouble();
+    if (rate > 1e-3 && rate < kHighestFrameRate) {
+      return rate;
+    }
+  }
+  const std::vector<double>* densest = &clip.root_position.times;
+  for (const motion::JointTracks& joint : clip.joints) {
+    densest = joint.rotation.times.size() > densest->size() ? &joint.rotation.times : densest;
+  }
+  if (densest->size() < 2) {
+    return kDefaultRate;
+  }
+  const double step = (densest->back() - densest->front()) / static_cast<double>(densest->size() - 1);
+  return std::clamp(frame_rate_from_text(step, fmt::format("{:.6f}", step)), 1e-3, kHighestFrameRate);
+}
+
+}  // namespace
+
+Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::string& place,
+                                            const std::filesystem::path& folder, Diagnostics* diagnostics) {
+  Diagnostics unread;
+  Diagnostics& findings = diagnostics != nullptr ? *diagnostics : unread;
+  const Result<tinygltf::Model> model = parse_gltf(bytes, place, folder);
+  if (!model) {
+    return model.error();
+  }
+  const Result<std::vector<GltfTree>> trees = gltf_trees(*model, place, findings);
+  if (!trees) {
+    return trees.error();
+  }
+  if (trees->empty()) {
+    return Error{"has no skeleton", place, "export it with its armature"};
+  }
+  std::vector<motion::Clip> clips;
+  AnimationReader animations(*model, place, findings);
+  for (const GltfTree& tree : *trees) {
+    motion::Clip at_rest;
+    at_rest.skeleton = tree.skeleton;
+    at_rest.joints.resize(tree.nodes.size());
+    Result<GltfMeshes> meshes = gltf_meshes(*model, tree, place, findings);
+    if (!meshes) {
+      return meshes.error();
+    }
+    at_rest.meshes = *std::move(meshes);
+    for (std::size_t a = 0; a < std::max<std::size_t>(model->animations.size(), 1); ++a) {
+      motion::Clip clip = at_rest;
+      if (a < model->animations.size()) {
+        clip.name = to_utf8(model->animations[a].name);
+        if (Status status = animations.read(a, tree, clip); !status) {
+          return status.error();
+        }
+      }
+      if (clip.name.empty()) {
+        clip.name = std::filesystem::path(place).stem().string();
+      }
+      clip.skeleton.name = clip.name;
+      clip.frame_rate_hz = frame_rate(*model, clip);
+      clips.push_back(std::move(clip));
+    }
+  }
+  return clips;
+}
+
+Result<std::vector<motion::Clip>> load_gltf(const std::filesystem::path& path, Diagnostics* diagnostics) {
+  const Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
+  if (!bytes) {
+    return bytes.error();
+  }
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  return read_gltf(*bytes, path.string(), folder, diagnostics);
+}
+
+}  // namespace limbwave::interchange
