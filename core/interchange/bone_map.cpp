@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <compare>
 #include <set>
 #include <utility>
 
@@ -48,7 +49,14 @@ std::string key_of(std::string_view name) {
   return key;
 }
 
-std::vector<std::string> roles_by(const body::Skeleton& skeleton, const BoneMap& map, std::size_t& known) {
+// How well a map fits: by names that it knows, of equals by those spelled just so.
+struct Fit {
+  std::size_t known = 0;
+  std::size_t exact = 0;
+  auto operator<=>(const Fit&) const = default;
+};
+
+std::vector<std::string> roles_by(const body::Skeleton& skeleton, const BoneMap& map, Fit& fit) {
   std::map<std::string, std::string> role_of;
   for (const auto& [role, name] : map.bones) {
     role_of[key_of(name)] = role;
@@ -59,8 +67,9 @@ std::vector<std::string> roles_by(const body::Skeleton& skeleton, const BoneMap&
     const auto found = role_of.find(key_of(segment.name));
     const bool is_new = found != role_of.end() && taken.insert(found->second).second;
     roles.push_back(is_new ? found->second : "");
+    fit.exact += is_new && map.bones.at(found->second) == segment.name ? 1 : 0;
   }
-  known = taken.size();
+  fit.known = taken.size();
   return roles;
 }
 
@@ -143,12 +152,12 @@ std::vector<std::string> bone_map_names() {
 
 std::vector<std::string> roles_of(const body::Skeleton& skeleton, const std::vector<BoneMap>& maps) {
   std::vector<std::string> best(skeleton.segments.size());
-  std::size_t most = 0;
+  Fit closest;
   for (const BoneMap& map : maps) {
-    std::size_t known = 0;
-    std::vector<std::string> roles = roles_by(skeleton, map, known);
-    if (known > most) {
-      most = known;
+    Fit fit;
+    std::vector<std::string> roles = roles_by(skeleton, map, fit);
+    if (fit > closest) {
+      closest = fit;
       best = std::move(roles);
     }
   }

@@ -30,7 +30,8 @@ Result<BoneMap> load_bone_map(const std::string& name_or_path);
 std::vector<std::string> bone_map_names();
 
 /// The role of every segment, "" where it has none. Names are compared without case, prefixes up to a colon, spaces and
-/// separators; of all `maps` the one that knows most of the names counts, the first one of equals.
+/// separators; of all `maps` the one that knows most of the names counts; of equals the one that spells most just so,
+/// then the first.
 std::vector<std::string> roles_of(const body::Skeleton& skeleton, const std::vector<BoneMap>& maps);
 /// The same with all maps of `bone_map_names`; files that cannot be read are left out.
 std::vector<std::string> roles_of(const body::Skeleton& skeleton);

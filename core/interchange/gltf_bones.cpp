@@ -148,6 +148,7 @@ class Trees {
       for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
         if (model_.nodes[i].mesh < 0 && model_.nodes[i].camera < 0) {
           mark_up(static_cast<int>(i));
+          is_fixed_[i] = false;
         }
       }
     }
