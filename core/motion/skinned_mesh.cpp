@@ -50,6 +50,22 @@ std::vector<Eigen::Vector3f> deformed(const SkinnedMesh& mesh, const body::Skele
   return result;
 }
 
+std::vector<Eigen::Vector3f> smooth_normals(const std::vector<Eigen::Vector3f>& positions,
+                                            const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  std::vector<Eigen::Vector3f> normals(positions.size(), Eigen::Vector3f::Zero());
+  for (const auto& [a, b, c] : triangles) {
+    const Eigen::Vector3f area = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+    for (const std::uint32_t corner : {a, b, c}) {
+      normals[corner] += area;
+    }
+  }
+  for (Eigen::Vector3f& normal : normals) {
+    const float length = normal.norm();
+    normal = length > 0.0F ? Eigen::Vector3f(normal / length) : Eigen::Vector3f(Eigen::Vector3f::UnitZ());
+  }
+  return normals;
+}
+
 Status validate(const SkinnedMesh& mesh, const body::Skeleton& skeleton) {
   const std::size_t n = mesh.positions.size();
   if (mesh.segments.size() != n || mesh.weights.size() != n || (!mesh.normals.empty() && mesh.normals.size() != n)) {

@@ -32,6 +32,10 @@ struct SkinnedMesh {
 std::vector<Eigen::Vector3f> deformed(const SkinnedMesh& mesh, const body::Skeleton& skeleton,
                                       const std::vector<body::SegmentPose>& poses);
 
+/// Normals of a surface, each the mean of its triangles' by area; up for vertices without any.
+std::vector<Eigen::Vector3f> smooth_normals(const std::vector<Eigen::Vector3f>& positions,
+                                            const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
 /// Whether sizes fit together, indices exist, numbers are finite, and weights sum to 1 within 1e-4. Errors name the
 /// mesh and the first wrong element.
 Status validate(const SkinnedMesh& mesh, const body::Skeleton& skeleton);

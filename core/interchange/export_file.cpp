@@ -1,0 +1,287 @@
+#include "interchange/export_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "interchange/bvh_reader.h"
+#include "interchange/bvh_writer.h"
+#include "interchange/clip_check.h"
+#include "interchange/csv_poses.h"
+#include "interchange/fbx_reader.h"
+#include "interchange/fbx_writer.h"
+#include "interchange/frame_rate.h"
+#include "interchange/gltf_file.h"
+#include "interchange/read_back.h"
+#include "motion/key_reduction.h"
+#include "motion/mannequin.h"
+
+namespace limbwave::interchange {
+namespace {
+
+namespace fs = std::filesystem;
+using motion::Clip;
+
+// Keys this close to the multiples of the frame rate are captured frames.
+constexpr double kOnFrame = 1e-3;
+
+bool has_bone_frames(FileFormat format) {
+  return format != FileFormat::kBvh && format != FileFormat::kCsv;
+}
+
+// Whether a track has a linear key on every frame, as captures have: its keys are samples of a smooth movement.
+template <typename T>
+bool is_captured(const motion::Track<T>& track, double fps) {
+  if (track.times.size() < 4 || !track.key_interpolation.empty() ||
+      track.interpolation != motion::Interpolation::kLinear) {
+    return false;
+  }
+  for (std::size_t i = 1; i < track.times.size(); ++i) {
+    if (std::abs((track.times[i] - track.times[i - 1]) * fps - 1.0) > kOnFrame) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// At 50 frames a second from 60, straight lines between samples cut the corners of fast movements by millimetres.
+Clip resampled_smoothly(Clip clip, double fps) {
+  const auto smooth = [&](auto& track) {
+    if (is_captured(track, clip.frame_rate_hz)) {
+      track.interpolation = motion::Interpolation::kCubic;
+    }
+  };
+  for (motion::JointTracks& joint : clip.joints) {
+    smooth(joint.rotation);
+    smooth(joint.position);
+  }
+  smooth(clip.root_position);
+  return motion::resampled(clip, fps);
+}
+
+std::size_t count_keys(const Clip& clip) {
+  std::size_t keys = clip.root_position.times.size();
+  for (const motion::JointTracks& joint : clip.joints) {
+    keys += joint.rotation.times.size() + joint.position.times.size();
+  }
+  return keys;
+}
+
+// The preset as this export wants it.
+Preset adapted(const ExportOptions& options, FileFormat format) {
+  Preset preset = options.preset;
+  preset.root_motion = options.root_motion.value_or(preset.root_motion);
+  preset.unit = options.unit.value_or(preset.unit);
+  preset.rest_frame = preset.rest_frame && options.rest_frame;
+  if (!has_bone_frames(format)) {
+    // These files have one root and the world's axes in every joint.
+    preset.bone_axis = BoneAxis::kAsIs;
+    preset.root_bone.clear();
+  }
+  if (format == FileFormat::kCsv) {
+    preset.rest_frame = false;
+  }
+  if (preset.root_motion == motion::RootMotion::kOnRoot && preset.root_bone.empty()) {
+    preset.root_motion = motion::RootMotion::kFree;
+  }
+  return preset;
+}
+
+Result<Clip> cut(const Clip& clip, const ExportOptions& options) {
+  const double end = std::min(options.end_s, clip.duration());
+  if (options.begin_s <= 0.0 && end >= clip.duration()) {
+    return clip;
+  }
+  if (!(options.begin_s >= 0.0 && options.begin_s < end)) {
+    return Error{fmt::format("from {:.3f} s to {:.3f} s there is nothing; it is {:.3f} s long", options.begin_s,
+                             options.end_s, clip.duration()),
+                 clip.name, "choose a part inside the clip"};
+  }
+  return motion::trimmed(clip, options.begin_s, end);
+}
+
+// Where a file is made and checked before it gets its name.
+fs::path part_path(const fs::path& path) {
+  return path.parent_path() / fmt::format(".{}.part{}{}", path.stem().string(), ::getpid(), path.extension().string());
+}
+
+Status write(const std::vector<Clip>& clips, FileFormat format, const Preset& preset, const fs::path& path,
+             const Progress& progress) {
+  std::vector<const Clip*> pointers;
+  for (const Clip& clip : clips) {
+    pointers.push_back(&clip);
+  }
+  const double fps = clips.front().frame_rate_hz;
+  const bool metres = preset.unit == FileUnit::kMetres;
+  switch (format) {
+    case FileFormat::kFbx: {
+      FbxWriteOptions fbx;
+      fbx.metres_per_unit = metres ? 1.0 : 0.01;
+      return write_fbx(pointers, path, fbx, progress);
+    }
+    case FileFormat::kBvh: {
+      BvhWriteOptions bvh;
+      bvh.fps = fps;
+      bvh.unit = metres ? BvhUnit::kMetres : BvhUnit::kCentimetres;
+      return write_bvh(clips.front(), path, bvh, progress);
+    }
+    case FileFormat::kCsv:
+      return write_csv_poses(clips.front(), path, {.fps = fps}, progress);
+    default:
+      return write_gltf(pointers, path, {.vrm = format == FileFormat::kVrm}, progress);
+  }
+}
+
+Result<ReadBack> check(const std::vector<Clip>& meant, FileFormat format, const Preset& preset, const fs::path& path,
+                       const Progress& progress) {
+  if (format == FileFormat::kCsv) {
+    return compare_csv(meant.front(), meant.front().frame_rate_hz, path, kExportTolerance, progress);
+  }
+  Result<std::vector<Clip>> read = std::vector<Clip>();
+  if (format == FileFormat::kBvh) {
+    BvhReadOptions options;
+    options.metres_per_unit = preset.unit == FileUnit::kMetres ? 1.0 : kMetresPerCentimetre;
+    const Result<Clip> clip = load_bvh(path, options);
+    read = clip ? Result(std::vector<Clip>{*clip}) : Result<std::vector<Clip>>(clip.error());
+  } else {
+    read = format == FileFormat::kFbx ? load_fbx(path) : load_gltf(path);
+  }
+  if (!read) {
+    return Error{"the written file cannot be read back: " + read.error().message, path.string(),
+                 "check that the disk has room, and export again"};
+  }
+  const bool single = format != FileFormat::kFbx && format != FileFormat::kBvh;
+  return compare_clips(meant, *read, single, kExportTolerance, path.string(), progress.part(0.5, 1.0));
+}
+
+}  // namespace
+
+double exact_rate(double fps) {
+  for (const double whole : {24.0, 30.0, 48.0, 60.0, 120.0}) {
+    const double television = whole / 1.001;
+    if (std::abs(fps - television) < 1.5e-3) {
+      return television;
+    }
+  }
+  return fps;
+}
+
+Result<FileFormat> format_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  static const std::pair<const char*, FileFormat> kEndings[] = {
+      {".fbx", FileFormat::kFbx}, {".glb", FileFormat::kGlb}, {".gltf", FileFormat::kGltf},
+      {".vrm", FileFormat::kVrm}, {".bvh", FileFormat::kBvh}, {".csv", FileFormat::kCsv}};
+  for (const auto& [ending, format] : kEndings) {
+    if (extension == ending) {
+      return format;
+    }
+  }
+  return Error{"has an ending that cannot be written", path.string(),
+               "use .fbx, .glb, .gltf, .vrm, .bvh or .csv"};
+}
+
+Result<std::vector<Clip>> prepared(std::span<const Clip* const> clips, FileFormat format, const ExportOptions& options,
+                                   ExportReport& report, const Progress& progress) {
+  if (clips.empty()) {
+    return Error{"nothing is to be exported", "", "choose a clip"};
+  }
+  if (!has_bone_frames(format) && clips.size() > 1) {
+    return Error{"one file of this format holds one actor", clips[1]->name, "export every actor to a file of its own"};
+  }
+  const double fps = exact_rate(options.fps > 0.0 ? options.fps : clips.front()->frame_rate_hz);
+  if (!(fps > 0.0 && fps <= kHighestFrameRate)) {
+    return Error{fmt::format("{} is not a frame rate", fps), clips.front()->name, "give the frames per second"};
+  }
+  const Preset preset = adapted(options, format);
+  std::vector<Clip> result;
+  for (const Clip* source : clips) {
+    if (!progress.report(static_cast<double>(result.size()) / static_cast<double>(clips.size()), "preparing")) {
+      return cancelled();
+    }
+    if (const Status valid = check_clip(*source); !valid) {
+      return valid.error();
+    }
+    Result<Clip> clip = cut(*source, options);
+    if (!clip) {
+      return clip.error();
+    }
+    if (options.fps > 0.0 || !has_bone_frames(format)) {
+      clip = resampled_smoothly(*std::move(clip), fps);
+    }
+    clip->frame_rate_hz = fps;
+    if (!options.mesh || !has_bone_frames(format)) {
+      clip->meshes.clear();
+    } else if (clip->meshes.empty()) {
+      clip->meshes.push_back(motion::mannequin(clip->skeleton));
+    }
+    clip = arranged(*std::move(clip), preset);
+    if (!clip) {
+      return clip.error();
+    }
+    report.keys_before += count_keys(*clip);
+    if (options.key_tolerance_rad > 0.0 && has_bone_frames(format)) {
+      motion::KeyReduction limits;
+      limits.rotation_rad = options.key_tolerance_rad;
+      Result<motion::ReducedClip> fewer = motion::reduced(*clip, limits);
+      if (!fewer) {
+        return fewer.error();
+      }
+      clip = std::move(fewer->clip);
+    }
+    report.keys_after += count_keys(*clip);
+    report.bones += clip->skeleton.segments.size();
+    report.duration_s = std::max(report.duration_s, clip->duration());
+    result.push_back(*std::move(clip));
+  }
+  report.actors = result.size();
+  report.fps = fps;
+  report.frames = motion::frame_count(report.duration_s, fps);
+  return result;
+}
+
+Result<ExportReport> export_file(std::span<const Clip* const> clips, const fs::path& path,
+                                 const ExportOptions& options, const Progress& progress) {
+  const Result<FileFormat> format = format_of(path);
+  if (!format) {
+    return format.error();
+  }
+  ExportReport report;
+  const Result<std::vector<Clip>> meant = prepared(clips, *format, options, report, progress.part(0.0, 0.2));
+  if (!meant) {
+    return meant.error();
+  }
+  const Preset preset = adapted(options, *format);
+  const fs::path part = part_path(path);
+  const auto give_up = [&](Error error) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    if (error.place == part.string()) {
+      error.place = path.string();
+    }
+    return error;
+  };
+  if (const Status written = write(*meant, *format, preset, part, progress.part(0.2, 0.6)); !written) {
+    return give_up(written.error());
+  }
+  const Result<ReadBack> same = check(*meant, *format, preset, part, progress.part(0.6, 1.0));
+  if (!same) {
+    return give_up(same.error());
+  }
+  std::error_code error;
+  fs::rename(part, path, error);
+  if (error) {
+    return give_up({"cannot be written (" + error.message() + ")", path.string(), "choose another file"});
+  }
+  report.file = path;
+  report.bytes = fs::file_size(path, error);
+  report.worst_m = same->worst_m;
+  report.worst_joint = same->worst_joint;
+  return report;
+}
+
+}  // namespace limbwave::interchange

@@ -1,0 +1,62 @@
+#include "interchange/mesh_file.h"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+
+#include "base/files.h"
+#include "interchange/file_axes.h"
+#include "interchange/names.h"
+
+namespace limbwave::interchange {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+constexpr std::size_t kMostTriangles = 10'000'000;
+
+}  // namespace
+
+Result<motion::TriangleMesh> load_mesh(const std::filesystem::path& path) {
+  const Result<std::string> bytes = read_file(path, kLargestFile);
+  if (!bytes) {
+    return bytes.error();
+  }
+  const std::string extension = path.extension().string();
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFileFromMemory(
+      bytes->data(), bytes->size(),
+      aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices | aiProcess_SortByPType,
+      extension.empty() ? "" : extension.c_str() + 1);
+  if (scene == nullptr) {
+    std::string reason = importer.GetErrorString();
+    std::ranges::replace(reason, '\n', ' ');
+    return Error{"cannot be read as a mesh (" + reason + ")", path.string(), "save it as .obj, .glb or .fbx"};
+  }
+  motion::TriangleMesh result;
+  result.name = to_utf8(path.stem().string());
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene->mMeshes[m];
+    const auto first = static_cast<std::uint32_t>(result.positions.size());
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      const aiVector3D& p = mesh.mVertices[v];
+      result.positions.push_back(from_y_up(Eigen::Vector3d(p.x, p.y, p.z)).cast<float>());
+    }
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices == 3) {
+        result.triangles.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+      }
+    }
+    if (result.triangles.size() > kMostTriangles) {
+      return Error{"has more than ten million triangles", path.string(), "simplify it first"};
+    }
+  }
+  if (result.triangles.empty()) {
+    return Error{"has no triangles", path.string(), "choose a file with a mesh"};
+  }
+  return result;
+}
+
+}  // namespace limbwave::interchange
