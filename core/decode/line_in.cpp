@@ -321,6 +321,7 @@ void LineInDecoder::Impl::decode_cycle(const CycleBounds& bounds) {
   const std::uint32_t reference_bit = 1U << static_cast<unsigned>(format.slots - 1);
   // Every value is relative to the reference: without it there is none.
   out.clipped = (measured.clipped & reference_bit) != 0 ? (reference_bit << 1U) - 1U : measured.clipped;
+  out.uncertain = line.uncertain & ~out.clipped;
   out.valid = gain.usable;
   if (out.valid && out.clipped == 0) {
     noise = std::sqrt(noise * noise + (variance - noise * noise) / 30.0);

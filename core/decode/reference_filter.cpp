@@ -31,12 +31,18 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
     line.level = reference.mean + kappa * reference.integral;
     line.instant = reference.centre;
     line.slope = drift_ / cycle.period();
-    if (cycle.linked && known_ && cycle.clipped != 0) {
-      line.break_at = cycle.slots[static_cast<std::size_t>(std::countr_zero(cycle.clipped))].centre;
-      line.level_before = level_;
-      line.instant_before = cycle.previous_reference.centre;
+    if (cycle.clipped != 0) {
+      int first = 0;
+      if (cycle.linked && known_) {
+        first = std::countr_zero(cycle.clipped);
+        line.break_at = cycle.slots[static_cast<std::size_t>(first)].centre;
+        line.level_before = level_;
+        line.instant_before = cycle.previous_reference.centre;
+      }
+      const std::uint32_t up_to_last = ~std::uint32_t{0} >> std::countl_zero(cycle.clipped);
+      line.uncertain = up_to_last & ~((std::uint32_t{1} << first) - 1U) & ~cycle.clipped;
     }
-    known_ = true;
+    known_ = (cycle.clipped >> static_cast<unsigned>(slots - 1) & 1U) == 0;
     level_ = reference.mean;
     p00_ = measured_variance;
     p01_ = 0.0;

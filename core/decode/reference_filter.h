@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "decode/coupling.h"
 #include "decode/cycle_measurement.h"
@@ -24,6 +25,8 @@ class ReferenceFilter {
     double break_at = -1e300;
     double level_before = 0.0;
     double instant_before = 0.0;
+    /// Bit per slot: neither reference reaches it, because clipping broke the integral on both sides.
+    std::uint32_t uncertain = 0;
     [[nodiscard]] double at(double sample) const {
       return sample < break_at ? level_before + slope * (sample - instant_before) : level + slope * (sample - instant);
     }

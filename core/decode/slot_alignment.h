@@ -21,8 +21,10 @@ struct AccelerationFrame {
 
 /// One frame per cycle, at the middle of the cycle. Every axis is interpolated by AlignmentKernel; near gaps, invalid
 /// cycles and clipped values by the polynomial through what is good in the three cycles before, this one and the two
-/// after. Never across gaps. A frame of an unusable sensor carries values interpolated from its neighbours, for
-/// drawing. Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
+/// after. Never across gaps. A sensor is usable where its own readings are good and each axis has good ones on both
+/// sides of the instant, four in all: an extrapolated one is off by tenths of g in fast motion. A frame of an
+/// unusable sensor carries what could be made of its neighbours, for drawing. Streaming; looks ahead by at most two
+/// cycles. `finish` gives the last ones, half of them unusable for want of a cycle after them.
 class SlotAligner {
  public:
   SlotAligner(int sensors, SampleRate rate) : sensors_(sensors), rate_(rate) {}
@@ -32,7 +34,11 @@ class SlotAligner {
 
  private:
   void emit(std::size_t index);
-  [[nodiscard]] double interpolate(std::size_t index, std::size_t slot, double instant) const;
+  struct Value {
+    double volts = 0.0;
+    bool supported = false;  // interpolated, not extrapolated
+  };
+  [[nodiscard]] Value interpolate(std::size_t index, std::size_t slot, double instant) const;
   int sensors_;
   SampleRate rate_;
   std::deque<LineInCycle> window_;  // contiguous cycles

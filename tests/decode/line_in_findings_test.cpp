@@ -124,6 +124,41 @@ TEST(LineInFindings, CleanLinesHaveNone) {
   }
 }
 
+TEST(LineInFindings, WhatClippingLeavesIsRightOrMarked) {
+  // Three axes swing far beyond full scale, now one, now several in a cycle; the coupling makes what is cut off of one
+  // slot an error of all that follow.
+  for (const double corner : {1.0, 5.0, 20.0}) {
+    LineInSignalSpec spec = moving();
+    spec.coupling_hz = corner;
+    spec.noise = 0.0;
+    spec.bits = 16;
+    spec.seconds = 6.0;
+    spec.volts = [](int axis, double t) {
+      const double swing = axis == 1 || axis == 6 || axis == 12 ? 2.5 : 0.2;
+      return 1.65 + swing * std::sin((5.0 + 0.3 * axis) * t + axis);
+    };
+    const Decoded decoded = decode(spec);
+    int unmarked = 0;
+    int beside = 0;
+    double worst = 0.0;
+    for (const LineInCycle& cycle : decoded.cycles) {
+      for (int j = 0; j < 15; ++j) {
+        const auto slot = static_cast<std::size_t>(j);
+        if (!cycle.valid || ((cycle.clipped | cycle.uncertain) >> slot & 1U) != 0) {
+          continue;
+        }
+        ++unmarked;
+        beside += cycle.clipped != 0 ? 1 : 0;
+        worst = std::max(worst, std::fabs(cycle.volts[slot] - test::true_volts(spec, j, cycle.sample[slot])));
+      }
+    }
+    EXPECT_TRUE(decoded.has("line-in.clipped")) << corner;
+    EXPECT_GT(unmarked, 2500) << corner;
+    EXPECT_GT(beside, 500) << corner;
+    EXPECT_LT(worst, kNoiseBound) << corner;
+  }
+}
+
 TEST(LineInFindings, NothingButSilence) {
   std::mt19937 generator(1);
   std::normal_distribution<double> noise(0.0, 3e-4);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -68,7 +69,8 @@ TEST(SlotAlignment, BringsAllAxesToTheMiddleOfTheCycle) {
   ASSERT_EQ(frames.size(), cycles.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_DOUBLE_EQ(frames[i].time_s * kRate, cycles[i].start_sample + 0.5 * cycles[i].period_samples);
-    EXPECT_EQ(frames[i].usable, 0x1fU);
+    // Before the first and after the last cycle there is nothing to interpolate with.
+    EXPECT_EQ(frames[i].usable, i == 0 ? 0U : i + 1 == frames.size() ? 0x18U : 0x1fU) << i;
     EXPECT_FALSE(frames[i].gap_before);
   }
 }
@@ -120,8 +122,51 @@ TEST(SlotAlignment, LeavesBadValuesOutAndSaysSo) {
   cycles[40].volts[4] = 100.0;
   const auto frames = align(cycles);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    EXPECT_EQ(frames[i].usable, i == 20 ? 0U : i == 40 ? 0x1dU : 0x1fU) << i;
+    // Beside a bad cycle an axis that is read on its side of the middle has no reading on the other one.
+    const unsigned missing = i == 0 ? 0x1fU : i == 59 ? 0x07U : i == 20 || i == 21 ? 0x1fU : i == 19 ? 0x07U : 0U;
+    EXPECT_EQ(frames[i].usable, 0x1fU & ~missing & ~(i == 39 || i == 40 || i == 41 ? 0x02U : 0U)) << i;
   }
+  EXPECT_LT(worst(frames, sine(2.0), 0, 60), 3e-3);
+}
+
+TEST(SlotAlignment, UsableNextToClippedIsRightInFastMotion) {
+  // Each axis swings by 1 at 6 Hz, out of step with the others, and is lost wherever it is above 0.8.
+  const auto at = [](int slot, double sample) {
+    return std::sin(2.0 * std::numbers::pi * 6.0 * sample / kRate + 0.7 * slot);
+  };
+  auto cycles = cycles_of(sine(6.0), 600);
+  for (LineInCycle& cycle : cycles) {
+    for (int slot = 0; slot < 15; ++slot) {
+      const auto index = static_cast<std::size_t>(slot);
+      const double volts = at(slot, cycle.sample[index]);
+      cycle.clipped |= volts > 0.8 ? 1U << index : 0U;
+      cycle.volts[index] = std::min(volts, 0.8);
+    }
+  }
+  int usable = 0;
+  double error = 0.0;
+  for (const AccelerationFrame& frame : align(cycles)) {
+    for (int sensor = 0; sensor < 5; ++sensor) {
+      if ((frame.usable >> static_cast<unsigned>(sensor) & 1U) == 0) {
+        continue;
+      }
+      ++usable;
+      for (int axis = 0; axis < 3; ++axis) {
+        error = std::max(error, std::fabs(frame.volts[static_cast<std::size_t>(sensor)][axis] -
+                                          at(3 * sensor + axis, frame.time_s * kRate)));
+      }
+    }
+  }
+  EXPECT_GT(usable, 300);
+  EXPECT_LT(error, 0.02);  // with extrapolated ones 0.033
+}
+
+TEST(SlotAlignment, UncertainValuesAreLeftOut) {
+  auto cycles = cycles_of(sine(2.0), 60);
+  cycles[30].uncertain = 1U << 7U;  // sensor 2, axis y
+  cycles[30].volts[7] = 100.0;
+  const auto frames = align(cycles);
+  EXPECT_EQ(frames[30].usable, 0x1bU);
   EXPECT_LT(worst(frames, sine(2.0), 0, 60), 3e-3);
 }
 
