@@ -44,6 +44,7 @@ bool supports(const LineInCycle& cycle, std::size_t slot) {
 void SlotAligner::push(const LineInCycle& cycle) {
   if (cycle.gap_before) {
     finish();
+    gap_ = true;
   }
   window_.push_back(cycle);
   while (next_ + kAfter < window_.size()) {
@@ -56,11 +57,11 @@ void SlotAligner::push(const LineInCycle& cycle) {
 }
 
 void SlotAligner::finish() {
-  while (next_ < window_.size()) {
+  while (next_ + 1 < window_.size()) {
     emit(next_++);
   }
   window_.clear();
-  next_ = 0;
+  next_ = kFirst;
 }
 
 std::vector<AccelerationFrame> SlotAligner::take_frames() {
@@ -115,7 +116,7 @@ void SlotAligner::emit(std::size_t index) {
   const double instant = cycle.start_sample + 0.5 * cycle.period_samples;
   AccelerationFrame frame;
   frame.time_s = instant / rate_.hz;
-  frame.gap_before = cycle.gap_before;
+  frame.gap_before = std::exchange(gap_, false);
   for (std::size_t sensor = 0; sensor < static_cast<std::size_t>(sensors_); ++sensor) {
     bool usable = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
