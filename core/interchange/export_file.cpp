@@ -181,8 +181,7 @@ Result<FileFormat> format_of(const fs::path& path) {
       return format;
     }
   }
-  return Error{"has an ending that cannot be written", path.string(),
-               "use .fbx, .glb, .gltf, .vrm, .bvh or .csv"};
+  return Error{"has an ending that cannot be written", path.string(), "use .fbx, .glb, .gltf, .vrm, .bvh or .csv"};
 }
 
 Result<std::vector<Clip>> prepared(std::span<const Clip* const> clips, FileFormat format, const ExportOptions& options,
@@ -244,8 +243,8 @@ Result<std::vector<Clip>> prepared(std::span<const Clip* const> clips, FileForma
   return result;
 }
 
-Result<ExportReport> export_file(std::span<const Clip* const> clips, const fs::path& path,
-                                 const ExportOptions& options, const Progress& progress) {
+Result<ExportReport> export_file(std::span<const Clip* const> clips, const fs::path& path, const ExportOptions& options,
+                                 const Progress& progress) {
   const Result<FileFormat> format = format_of(path);
   if (!format) {
     return format.error();

@@ -22,8 +22,8 @@ enum class FileFormat { kFbx, kGlb, kGltf, kVrm, kBvh, kCsv };
 Result<FileFormat> format_of(const std::filesystem::path& path);
 
 struct ExportOptions {
-  Preset preset;       ///< Default: plain.
-  double fps = 0.0;    ///< Frames a second; 0: those of the first clip. 23.976 means 24/1.001, 29.97 30/1.001, ...
+  Preset preset;         ///< Default: plain.
+  double fps = 0.0;      ///< Frames a second; 0: those of the first clip. 23.976 means 24/1.001, 29.97 30/1.001, ...
   double begin_s = 0.0;  ///< The part of the clips that is written; what is outside them is left out.
   double end_s = std::numeric_limits<double>::infinity();
   std::optional<motion::RootMotion> root_motion;  ///< Instead of the preset's.
@@ -37,13 +37,13 @@ struct ExportReport {
   std::filesystem::path file;
   std::uintmax_t bytes = 0;
   std::size_t actors = 0;
-  std::size_t bones = 0;   ///< Of all actors.
+  std::size_t bones = 0;  ///< Of all actors.
   std::size_t frames = 0;
   double fps = 0.0;
   double duration_s = 0.0;
   std::size_t keys_before = 0;  ///< Before and after key reduction; equal without it.
   std::size_t keys_after = 0;
-  double worst_m = 0.0;         ///< Largest distance between a joint that was meant and the one read back.
+  double worst_m = 0.0;  ///< Largest distance between a joint that was meant and the one read back.
   std::string worst_joint;
 };
 

@@ -51,7 +51,8 @@ Result<ReadBack> compare_clips(const std::vector<motion::Clip>& meant, const std
                                bool single_times, double tolerance_m, const std::string& place,
                                const Progress& progress) {
   if (meant.size() != read.size()) {
-    return Error{fmt::format("the written file has {} actors instead of {}", read.size(), meant.size()), place, kRemedy};
+    return Error{fmt::format("the written file has {} actors instead of {}", read.size(), meant.size()), place,
+                 kRemedy};
   }
   ReadBack result;
   std::vector<body::SegmentPose> a;

@@ -12,7 +12,7 @@
 namespace limbwave::interchange {
 
 struct ReadBack {
-  double worst_m = 0.0;     ///< Largest distance between a joint as meant and as read.
+  double worst_m = 0.0;  ///< Largest distance between a joint as meant and as read.
   std::string worst_joint;
   double worst_time_s = 0.0;
 };

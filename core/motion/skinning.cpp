@@ -305,7 +305,8 @@ Result<SkinnedMesh> skinned(const TriangleMesh& mesh, const body::Skeleton& skel
   }
   const Eigen::SimplicialLDLT<Sparse> solver(matrix);
   if (solver.info() != Eigen::Success) {
-    return Error{"the equations of the skin cannot be solved", mesh.name, "repair the mesh: close holes, merge slivers"};
+    return Error{"the equations of the skin cannot be solved", mesh.name,
+                 "repair the mesh: close holes, merge slivers"};
   }
   std::vector<Influences> influences(surface.positions.size());
   for (std::size_t s = 0; s < skeleton.segments.size(); ++s) {

@@ -26,8 +26,8 @@ struct SkinningOptions {
 
 /// The mesh skinned to the skeleton that stands inside it in the pose `bind`: bone heat of Baran & Popović, Automatic
 /// rigging and animation of 3D characters (2007), §4. Every bone is held at 1 inside and 0 elsewhere, and heat spreads
-/// over the surface: (L + M H) w = M H p, with the cotangent Laplacian L, the vertex areas M, and H = c / d² for a vertex
-/// that sees its nearest bone at distance d, else 0. One sparse Cholesky factorisation serves all bones.
+/// over the surface: (L + M H) w = M H p, with the cotangent Laplacian L, the vertex areas M, and H = c / d² for a
+/// vertex that sees its nearest bone at distance d, else 0. One sparse Cholesky factorisation serves all bones.
 /// Vertices at one place count as one, so that seams of texture stay closed. At most four influences, weights not
 /// negative and of sum 1. Parts of the surface that see no bone take the nearest one.
 /// Fails when there are no triangles or bones, indices or numbers are wrong, the equations cannot be solved, or when

@@ -82,10 +82,9 @@ struct Surface::Tree {
     centres.sizes().maxCoeff(&axis);
     const std::size_t half = count / 2;
     const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
-    std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(half), begin + static_cast<std::ptrdiff_t>(count),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       return boxes[a].center()[axis] < boxes[b].center()[axis];
-                     });
+    std::nth_element(
+        begin, begin + static_cast<std::ptrdiff_t>(half), begin + static_cast<std::ptrdiff_t>(count),
+        [&](std::uint32_t a, std::uint32_t b) { return boxes[a].center()[axis] < boxes[b].center()[axis]; });
     const std::size_t left = build(first, half, boxes);
     const std::size_t right = build(first + half, count - half, boxes);
     nodes[self].left = left;

@@ -51,7 +51,8 @@ RotationTrack with_velocities(RotationTrack track);
 PositionTrack with_velocities(PositionTrack track);
 
 /// Velocity of the curve at a time (position: metres per second; rotation: rotation vector per second in the frame that
-/// the value has there); 0 outside the keys. On a key, that of the piece behind it. Asserts that the track is not empty.
+/// the value has there); 0 outside the keys. On a key, that of the piece behind it. Asserts that the track is not
+/// empty.
 Vector3d velocity(const RotationTrack& track, double time_s);
 Vector3d velocity(const PositionTrack& track, double time_s);
 
