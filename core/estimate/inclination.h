@@ -36,9 +36,13 @@ struct Inclination {
   bool known = false;                 ///< False before the first usable reading: up_L is then meaningless.
 };
 
+/// Smoothing is never shorter than this, seconds: without any, use Smoothing::kNone.
+inline constexpr double kLeastSmoothing_s = 0.001;
+
 /// Constants of the estimators, from the physics of limbs and sensors.
 struct InclinationParameters {
-  /// Time scale of smoothing, seconds; longer is smoother, but less is bridged right at fast turns.
+  /// Time scale of smoothing, seconds, at least kLeastSmoothing_s; longer is smoother, but less is bridged right at
+  /// fast turns.
   double smoothing_s = 0.08;
   /// | |f| − g | that gravity alone explains, m/s² (0.01 g: calibration errors, slow turning about a joint).
   double free_deviation = 0.098;

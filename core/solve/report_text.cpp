@@ -186,7 +186,7 @@ Result<SolveSettings> settings_from_json(const nlohmann::json& json, const std::
   settings.smoothing = smoothing == "none"       ? Smoothing::kNone
                        : smoothing == "adaptive" ? Smoothing::kAdaptive
                                                  : Smoothing::kBridging;
-  settings.smoothing_s = reader.number_or("smoothing_s", settings.smoothing_s, 0.0, 10.0);
+  settings.smoothing_s = reader.number_or("smoothing_s", settings.smoothing_s, estimate::kLeastSmoothing_s, 10.0);
   settings.calibration = reader.string_or("calibration", "auto");
   if (reader.has("line_in")) {
     const JsonReader line = reader.at("line_in");

@@ -53,7 +53,8 @@ struct QualityReport {
 struct Solve {
   SolveSettings settings;
   motion::Clip clip;
-  /// Per accelerometer and frame of the clip: 0..1, how far gravity alone explains the reading.
+  /// Per accelerometer and frame of the clip: 0..1, how far gravity alone explains the reading. Empty for one that sits
+  /// on no segment of the skeleton.
   std::vector<std::vector<float>> trust;
   QualityReport report;
 };

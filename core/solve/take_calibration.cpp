@@ -40,6 +40,16 @@ std::vector<int> nominal_mounts(const calibrate::RigCalibration& calibration, co
   return sensors;
 }
 
+constexpr const char* kTurnAgain = "turn this sensor slowly about all axes again: limbwave calibrate range";
+constexpr const char* kHoldAgain = "hold the poses again, still and exact: limbwave calibrate limb";
+
+// A result that its own procedure would not keep is better than none, but not without a word.
+Diagnostic poor(const char* code, const char* procedure, const std::string& verdict, const std::string& sensor,
+                const char* remedy) {
+  return {Severity::kWarning, code, fmt::format("the take's own {} calibration is poor: {}", procedure, verdict), remedy,
+          sensor, -1.0};
+}
+
 void add(Diagnostics& to, const Diagnostics& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
@@ -65,6 +75,10 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
         continue;
       }
       add(chosen.diagnostics, outcome.result->diagnostics);
+      if (outcome.result->verdict == calibrate::Verdict::kRepeat) {
+        chosen.diagnostics.push_back(poor("calibration.range-poor", "range", outcome.result->text,
+                                          rig.accelerometers[s].name, kTurnAgain));
+      }
       chosen.calibration.sensors[s] = outcome.result->calibration;
       worst_residual = std::max(worst_residual, outcome.result->calibration.residual_g);
       ++ranges;
@@ -87,7 +101,15 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
     }
     add(chosen.diagnostics, limb->diagnostics);
     for (const calibrate::SensorLimbResult& sensor : limb->sensors) {
-      chosen.calibration.mounts[static_cast<std::size_t>(sensor.sensor)] = sensor.mount;
+      const auto s = static_cast<std::size_t>(sensor.sensor);
+      if (sensor.verdict == calibrate::Verdict::kRepeat) {
+        chosen.diagnostics.push_back(
+            poor("calibration.limb-poor", "limb", sensor.text, rig.accelerometers[s].name, kHoldAgain));
+      }
+      if (sensor.mount.method == kNominal) {
+        continue;  // the poses gave no mounting
+      }
+      chosen.calibration.mounts[s] = sensor.mount;
       worst_angle = std::max(worst_angle, std::abs(sensor.angle_error_deg));
       ++mounts;
     }

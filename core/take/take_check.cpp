@@ -25,6 +25,11 @@ void add(Diagnostics& list, Severity severity, const char* code, std::string mes
   list.push_back({severity, code, std::move(message), std::move(remedy), place.string(), -1.0});
 }
 
+bool has_finding(const Take& take, std::string_view code) {
+  return std::any_of(take.diagnostics.begin(), take.diagnostics.end(),
+                     [&](const Diagnostic& finding) { return finding.code == code; });
+}
+
 void check_header(const Take& take, const SignalFile& signal, Diagnostics& findings) {
   if (!signal.header_readable) {
     return;  // opening has said so
@@ -73,13 +78,6 @@ void check_rig(const TakeInfo& info, const fs::path& place, Diagnostics& finding
           fmt::format("sensor \"{}\" sits on \"{}\", which is no segment of the skeleton", sensor.name, sensor.segment),
           place);
     }
-  }
-  const std::size_t count = info.rig.accelerometers.size();
-  if (info.calibration && (info.calibration->sensors.size() != count || info.calibration->mounts.size() != count)) {
-    add(findings, Severity::kError, "verify.calibration",
-        fmt::format("the calibration is of {} sensors with {} mounts, but the rig has {}",
-                    info.calibration->sensors.size(), info.calibration->mounts.size(), count),
-        place, "calibrate again");
   }
 }
 
@@ -231,8 +229,7 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
     return take.error();
   }
   Diagnostics done;
-  const bool lost_info = std::any_of(take->diagnostics.begin(), take->diagnostics.end(),
-                                     [](const Diagnostic& finding) { return finding.code == "take.no-info"; });
+  const bool lost_info = has_finding(*take, "take.no-info");
   const Result<SignalFile> signal = inspect_signal(take->signal_path(), take->info.format);
   if (!signal) {
     return signal.error();
@@ -257,6 +254,11 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
     take->info.complete = true;
     take->info.frames = signal->frames;
     for (TakeSegment& segment : take->info.segments) {
+      if (segment.first.value + segment.count.value > signal->frames) {
+        add(done, Severity::kWarning, "recover.segment",
+            fmt::format("segment \"{}\" reached beyond the end of the take and was shortened", segment.name),
+            folder / "take.json");
+      }
       segment.first.value = std::min(segment.first.value, signal->frames);
       segment.count.value = std::min(segment.count.value, signal->frames - segment.first.value);
     }
@@ -267,6 +269,10 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
         fmt::format("the take is closed with {:.2f} s",
                     take->info.format.rate.seconds(SampleCount{signal->frames}).value),
         folder);
+    if (has_finding(*take, "take.calibration")) {
+      add(done, Severity::kWarning, "recover.calibration", "the calibration was not of this rig and was removed",
+          folder / "take.json", "calibrate again");
+    }
     if (lost_info) {
       add(done, Severity::kWarning, "recover.rig",
           "take.json was made again: the rig is taken to be \"" + take->info.rig.name + "\"", folder / "take.json",

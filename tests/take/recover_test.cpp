@@ -222,7 +222,7 @@ TEST_F(DamagedTake, VerifyChecksTheFilesAgainstEachOther) {
   fs::create_directories(path / "solves" / "default");
   write_bytes(path / "solves" / "default" / "report.json", "");
   const std::vector<std::string> found = codes(must(verify_take(path)).findings);
-  EXPECT_THAT(found, testing::UnorderedElementsAre("verify.segment", "verify.rig", "verify.calibration", "verify.event",
+  EXPECT_THAT(found, testing::UnorderedElementsAre("verify.segment", "verify.rig", "take.calibration", "verify.event",
                                                    "verify.file", "verify.file"));
 }
 
