@@ -14,8 +14,9 @@ namespace {
 
 using motion::Interpolation;
 
-// Halvings of the time between two keys near gimbal lock.
-constexpr int kMostHalvings = 6;
+// Halvings of the time between two keys near gimbal lock. More would make curves so steep that readers with 32-bit
+// times miss the keys themselves.
+constexpr int kMostHalvings = 3;
 // How far Euler angles may lead away from the shortest way between two keys: 2 mm at the end of a metre.
 constexpr double kLargestStray = 2e-3;  // rad
 // Angles that change by less than this do not stray: the error is of second order.

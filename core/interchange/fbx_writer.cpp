@@ -58,6 +58,7 @@ struct Actor {
   const motion::Clip* clip = nullptr;
   std::vector<std::string> names;
   std::vector<FbxId> bones;
+  FbxId above = kFbxRoot;  ///< What the root bone hangs on.
 };
 
 class FbxBuilder {
@@ -70,7 +71,7 @@ class FbxBuilder {
     times_ = {header_.fps, options.fps > 0.0, 0.0, options.keys};
     UniqueNames unique;
     for (const motion::Clip* clip : clips) {
-      Actor actor{clip, {}, {}};
+      Actor actor{clip, {}, {}, kFbxRoot};
       for (const body::Segment& segment : clip->skeleton.segments) {
         actor.names.push_back(unique(clean_name(segment.name, "joint")));
       }
@@ -83,7 +84,12 @@ class FbxBuilder {
   Status write(const Progress& progress) {
     write_fbx_header(out_, scene_, header_);
     out_.begin("Objects");
+    UniqueNames unique_actor;
     for (Actor& actor : actors_) {
+      if (actors_.size() > 1) {
+        const motion::Clip& clip = *actor.clip;
+        place(actor, unique_actor(clean_name(clip.skeleton.name.empty() ? clip.name : clip.skeleton.name, "actor")));
+      }
       bones(actor);
     }
     UniqueNames unique;
@@ -137,8 +143,9 @@ class FbxBuilder {
       }
     }
     const std::int32_t stacks = moving_ > 0 ? 1 : 0;
-    header_.counts = {{"Model", bones + meshes},
-                      {"NodeAttribute", bones},
+    const auto places = static_cast<std::int32_t>(actors_.size() > 1 ? actors_.size() : 0);
+    header_.counts = {{"Model", places + bones + meshes},
+                      {"NodeAttribute", places + bones},
                       {"Geometry", meshes},
                       {"Deformer", meshes + clusters},
                       {"Pose", static_cast<std::int32_t>(actors_.size())},
@@ -156,6 +163,24 @@ class FbxBuilder {
 
   void vector_property(const char* name, const char* flags, const Vector3d& v) {
     scene_.property(name, name, "", flags, v.x(), v.y(), v.z());
+  }
+
+  // Something for the bones of one of several actors to hang on: programs make it the armature of its own.
+  void place(Actor& actor, const std::string& name) {
+    const FbxId attribute = scene_.begin_object("NodeAttribute", name, "NodeAttribute", "Null");
+    out_.leaf("TypeFlags", "Null");
+    out_.end();
+    actor.above = scene_.begin_object("Model", name, "Model", "Null");
+    out_.leaf("Version", 232);
+    out_.begin("Properties70");
+    scene_.property("InheritType", "enum", "", "", 1);
+    scene_.property("DefaultAttributeIndex", "int", "Integer", "", 0);
+    out_.end();
+    out_.leaf("Shading", true);
+    out_.leaf("Culling", "CullingOff");
+    out_.end();
+    scene_.connect(attribute, actor.above);
+    scene_.connect(actor.above, kFbxRoot);
   }
 
   void bones(Actor& actor) {
@@ -186,7 +211,7 @@ class FbxBuilder {
       out_.leaf("Culling", "CullingOff");
       out_.end();
       scene_.connect(attribute, model);
-      scene_.connect(model, root ? kFbxRoot : actor.bones[static_cast<std::size_t>(segments[i].parent)]);
+      scene_.connect(model, root ? actor.above : actor.bones[static_cast<std::size_t>(segments[i].parent)]);
       actor.bones.push_back(model);
     }
   }

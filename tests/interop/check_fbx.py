@@ -38,13 +38,13 @@ def check(path):
         if not truth:
             problems.append(text)
 
-    demand(len(armatures) == 1, f"{len(armatures)} armatures")
-    armature = armatures[0]
-    names = [bone.name for bone in armature.data.bones]
+    demand(len(armatures) == expected["armatures"], f"{len(armatures)} armatures")
+    owner = {bone.name: item for item in armatures for bone in item.data.bones}
+    names = list(owner)
     demand(sorted(names) == sorted(expected["joints"]), f"bones are named {names}")
     fps = scene.render.fps / scene.render.fps_base
     demand(abs(fps - expected["fps"]) < 1e-6 * expected["fps"], f"{fps} frames per second, not {expected['fps']}")
-    action = armature.animation_data.action
+    action = owner[expected["joints"][0]].animation_data.action
     demand(expected["name"] in action.name, f"the action is named {action.name}")
     first, last = action.frame_range
     if expected["duration_s"] == 0.0:  # Blender calls one key a range of one frame
@@ -55,7 +55,7 @@ def check(path):
     demand(abs(duration - expected["duration_s"]) <= 1e-6 * max(1.0, expected["duration_s"]),
            f"it lasts {duration} s, not {expected['duration_s']} s")
 
-    rest = [armature.matrix_world @ armature.data.bones[name].head_local for name in expected["joints"]]
+    rest = [owner[name].matrix_world @ owner[name].data.bones[name].head_local for name in expected["joints"]]
     rest_error = distance(rest, expected["rest"])
     demand(rest_error <= LARGEST_REST_ERROR_M, f"the rest pose is {rest_error:.2e} m off")
 
@@ -66,8 +66,9 @@ def check(path):
         whole = int(frame + 1e-6)
         scene.frame_set(whole, subframe=max(0.0, frame - whole))
         graph = bpy.context.evaluated_depsgraph_get()
-        posed = armature.evaluated_get(graph)
-        heads = [posed.matrix_world @ posed.pose.bones[name].head for name in expected["joints"]]
+        posed = {item.name: item.evaluated_get(graph) for item in armatures}
+        heads = [posed[owner[name].name].matrix_world @ posed[owner[name].name].pose.bones[name].head
+                 for name in expected["joints"]]
         error = distance(heads, sample["heads"])
         demand(error <= sample["bar_m"], f"at {sample['time_s']:.4f} s a joint is {error:.2e} m off")
         if sample["bar_m"] > 1e-4:

@@ -45,14 +45,15 @@ json heads(const std::vector<limbwave::body::SegmentPose>& poses) {
   return list;
 }
 
-void write(const Clip& clip, const fs::path& path, const ic::FbxWriteOptions& options, bool halfway) {
-  must(ic::write_fbx(clip, path, options));
+// What must be found of one clip.
+json expectation(const Clip& clip, const ic::FbxWriteOptions& options, bool halfway) {
   const double fps = options.fps > 0.0 ? options.fps : clip.frame_rate_hz;
   const std::size_t frames = limbwave::motion::frame_count(clip.duration(), fps);
   json expected = {{"fps", fps},
                    {"duration_s", static_cast<double>(frames - 1) / fps},
                    {"name", clip.name},
                    {"rest", heads(limbwave::motion::rest_poses(clip.skeleton))},
+                   {"armatures", 1},
                    {"joints", json::array()},
                    {"samples", json::array()},
                    {"meshes", json::array()}};
@@ -75,6 +76,31 @@ void write(const Clip& clip, const fs::path& path, const ic::FbxWriteOptions& op
     if (halfway && frame + 1 < frames) {
       sample((static_cast<double>(frame) + 0.5) / fps, kHalfway);
     }
+  }
+  return expected;
+}
+
+void write(const Clip& clip, const fs::path& path, const ic::FbxWriteOptions& options, bool halfway) {
+  must(ic::write_fbx(clip, path, options));
+  const json expected = expectation(clip, options, halfway);
+  must(limbwave::write_file(fs::path(path).replace_extension(".json"), expected.dump()));
+}
+
+// Two actors with the same names; those of the second are made unique.
+void write_two(const Clip& first, Clip second, const fs::path& path) {
+  const Clip* const clips[] = {&first, &second};
+  must(ic::write_fbx(clips, path));
+  for (auto& segment : second.skeleton.segments) {
+    segment.name += "_2";
+  }
+  json expected = expectation(first, {}, false);
+  const json other = expectation(second, {}, false);
+  expected["armatures"] = 2;
+  const auto add = [](json& list, const json& more) { list.insert(list.end(), more.begin(), more.end()); };
+  add(expected["joints"], other["joints"]);
+  add(expected["rest"], other["rest"]);
+  for (std::size_t i = 0; i < expected["samples"].size(); ++i) {
+    add(expected["samples"][i]["heads"], other["samples"][i]["heads"]);
   }
   must(limbwave::write_file(fs::path(path).replace_extension(".json"), expected.dump()));
 }
@@ -115,6 +141,8 @@ int main(int argc, char** argv) {
   Clip bones = clip;
   bones.meshes.clear();
   write(bones, folder / "bones_only.fbx", {}, false);
+  write_two(limbwave::test::random_clip(3, 60, 60.0, 66), limbwave::test::random_clip(3, 60, 60.0, 67),
+            folder / "two_actors.fbx");
   write(limbwave::test::random_clip(2, 1, 60.0, 63), folder / "one_key.fbx", {}, false);
 
   const char* data = std::getenv("LIMBWAVE_DATA");
