@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
+
 namespace limbwave::estimate {
 
 using Eigen::Quaterniond;
@@ -71,8 +73,10 @@ Quaterniond orientation(const Vector3d& up_L, double heading = 0.0,
 std::vector<Quaterniond> orientations(std::span<const Inclination> inclinations, std::span<const double> headings = {});
 
 /// Inclination of every sample of a whole series, any method; forward and backward in time, so without lag.
-/// Times must increase; samples that do not are copies of their predecessor's result.
+/// Times must increase; samples that do not are copies of their predecessor's result. `progress` is asked every minute
+/// of samples or so; the result is empty when it says to stop.
 std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samples, Smoothing smoothing,
-                                               const InclinationParameters& parameters = {});
+                                               const InclinationParameters& parameters = {},
+                                               const Progress& progress = {});
 
 }  // namespace limbwave::estimate

@@ -70,10 +70,7 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
     return decoded.error();
   }
   const auto start = std::chrono::steady_clock::now();
-  if (!progress.report(0.6, "calibrating")) {
-    return cancelled();
-  }
-  Result<ChosenCalibration> chosen = choose_calibration(take, *decoded, settings.calibration);
+  Result<ChosenCalibration> chosen = choose_calibration(take, *decoded, settings.calibration, progress.part(0.6, 0.65));
   if (!chosen) {
     return chosen.error();
   }
@@ -104,10 +101,8 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
   std::vector<std::vector<Eigen::Quaterniond>> inclined(skeleton.segments.size());
   estimate::InclinationParameters parameters;
   parameters.smoothing_s = settings.smoothing_s;
+  const double share = 0.3 / static_cast<double>(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    if (!progress.report(0.65 + 0.3 * static_cast<double>(s) / static_cast<double>(segments.size()), "estimating")) {
-      return cancelled();
-    }
     std::vector<float>& trust = solve.trust.emplace_back();
     const body::Accelerometer& accelerometer = take.info.rig.accelerometers[s];
     if (segments[s] < 0) {
@@ -120,7 +115,12 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
     const std::vector<estimate::ForceSample> samples =
         limb_forces(frames, s, take.info.rig.line_in, chosen->calibration);
     const std::vector<estimate::Inclination> inclinations =
-        estimate::estimate_inclinations(samples, settings.smoothing, parameters);
+        estimate::estimate_inclinations(samples, settings.smoothing, parameters,
+                                        progress.part(0.65 + share * static_cast<double>(s),
+                                                      0.65 + share * static_cast<double>(s + 1)));
+    if (inclinations.size() != samples.size()) {
+      return cancelled();
+    }
     Result<std::vector<Eigen::Quaterniond>> orientations =
         limb_orientations(inclinations, accelerometer.name);
     if (!orientations) {

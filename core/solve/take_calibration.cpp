@@ -14,6 +14,7 @@ namespace limbwave::solve {
 namespace {
 
 constexpr const char* kNominal = "nominal";
+constexpr const char* kStage = "calibrating";
 
 const take::TakeSegment* find_segment(const take::Take& take, const std::string& name) {
   const auto found = std::find_if(take.info.segments.begin(), take.info.segments.end(),
@@ -55,9 +56,10 @@ void add(Diagnostics& to, const Diagnostics& from) {
 }
 
 // What `base` has only from the data sheet, from the take's own "range" and "pose:..." segments; empty when they give
-// nothing.
-std::optional<ChosenCalibration> from_segments(const take::Take& take, const DecodedTake& decoded,
-                                               const calibrate::RigCalibration& base) {
+// nothing. Fails when it is told to stop.
+Result<std::optional<ChosenCalibration>> from_segments(const take::Take& take, const DecodedTake& decoded,
+                                                       const calibrate::RigCalibration& base,
+                                                       const Progress& progress) {
   const body::Rig& rig = take.info.rig;
   ChosenCalibration chosen{base, "segments", "", {}};
   int ranges = 0;
@@ -65,7 +67,8 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
   double worst_residual = 0.0;
   double worst_angle = 0.0;
   if (const take::TakeSegment* range = find_segment(take, kRangeSegment)) {
-    for (RangeOutcome& outcome : calibrate_range(take, decoded.of(take, *range), nominal_sensors(base))) {
+    for (RangeOutcome& outcome :
+         calibrate_range(take, decoded.of(take, *range), nominal_sensors(base), progress.part(0.0, 0.8))) {
       const auto s = static_cast<std::size_t>(outcome.sensor);
       if (!outcome.result) {
         const Error& error = outcome.result.error();
@@ -85,6 +88,9 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
     }
   }
   for (std::size_t g = 0; g < rig.groups.size(); ++g) {
+    if (!progress.report(0.8 + 0.2 * static_cast<double>(g) / static_cast<double>(rig.groups.size()), kStage)) {
+      return cancelled();
+    }
     const take::TakeSegment* first = find_segment(take, pose_segment(rig.groups[g], 0));
     const take::TakeSegment* second = find_segment(take, pose_segment(rig.groups[g], 1));
     const std::vector<int> sensors = nominal_mounts(base, rig.groups[g]);
@@ -115,14 +121,14 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
     }
   }
   if (ranges + mounts == 0) {
-    return std::nullopt;
+    return std::optional<ChosenCalibration>();
   }
   chosen.explanation = fmt::format(
       "from the take's own calibration: range of {} of {} sensors (residual at most {:.4f} g), mounting of {} (poses "
       "at "
       "most {:.1f}° from perpendicular)",
       ranges, rig.accelerometers.size(), worst_residual, mounts, worst_angle);
-  return chosen;
+  return std::optional(std::move(chosen));
 }
 
 std::string newest_date(const calibrate::RigCalibration& calibration) {
@@ -150,9 +156,12 @@ bool is_measured(const calibrate::RigCalibration& calibration) {
 }
 
 std::vector<RangeOutcome> calibrate_range(const take::Take& take, std::span<const decode::AccelerationFrame> frames,
-                                          const std::vector<int>& sensors) {
+                                          const std::vector<int>& sensors, const Progress& progress) {
   std::vector<RangeOutcome> outcomes;
   for (const int sensor : sensors) {
+    if (!progress.report(static_cast<double>(outcomes.size()) / static_cast<double>(sensors.size()), kStage)) {
+      break;
+    }
     const std::string& serial = take.info.rig.accelerometers.at(static_cast<std::size_t>(sensor)).serial;
     calibrate::RangeCalibrator calibrator(take.info.rig.line_in, serial);
     calibrator.push(calibrate::sensor_series(frames, sensor));
@@ -172,7 +181,10 @@ Result<calibrate::LimbResult> calibrate_limb(const take::Take& take, int group,
 }
 
 Result<ChosenCalibration> choose_calibration(const take::Take& take, const DecodedTake& decoded,
-                                             const std::string& wanted) {
+                                             const std::string& wanted, const Progress& progress) {
+  if (!progress.report(0.0, kStage)) {
+    return cancelled();
+  }
   const bool automatic = wanted == "auto";
   const body::Rig& rig = take.info.rig;
   const bool has_snapshot = take.info.calibration && is_measured(*take.info.calibration);
@@ -183,8 +195,12 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
     // A snapshot of which a part was never measured is completed from the take's own movements.
     const calibrate::RigCalibration base =
         automatic && has_snapshot ? *take.info.calibration : calibrate::nominal_calibration(rig);
-    if (std::optional<ChosenCalibration> chosen = from_segments(take, decoded, base)) {
-      return std::move(*chosen);
+    Result<std::optional<ChosenCalibration>> chosen = from_segments(take, decoded, base, progress);
+    if (!chosen) {
+      return chosen.error();
+    }
+    if (*chosen) {
+      return **std::move(chosen);
     }
     if (!automatic) {
       return Error{"has no calibration segments", take.folder.string(), "choose another --calibration"};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 
 #include "geometry/so3.h"
 #include "solve/codes.h"
@@ -59,6 +60,42 @@ TEST(SolveTake, SmoothingOverNoTimeIsNearlyNone) {
   }
 }
 
+// An hour's take must not be deaf for seconds.
+TEST(SolveTake, CanBeStoppedWithinEveryStage) {
+  const test::TemporaryFolder folder;
+  simulate::SimulateSettings simulation;
+  simulation.seconds = 2.0;
+  const take::Take take = testing_support::simulated(folder / "wave.take", simulation);
+  std::map<std::string, int> asked;
+  SolveSettings settings;
+  settings.smoothing = Smoothing::kBridging;
+  double last = 0.0;
+  require(solve_take(take, settings, Progress([&](double fraction, std::string_view what) {
+                       EXPECT_GE(fraction, last - 1e-9) << what;
+                       last = fraction;
+                       ++asked[std::string(what)];
+                       return true;
+                     })));
+  EXPECT_GE(asked["calibrating"], 5) << "per sensor";
+  EXPECT_GE(asked["estimating"], 10) << "per sensor and filter";
+  for (const auto& [stage, count] : asked) {
+    for (const int stop_at : {1, count}) {
+      int times = 0;
+      bool stopped = false;
+      const Result<Solve> solve =
+          solve_take(take, settings, Progress([&, &stage = stage](double, std::string_view what) {
+                       times += what == stage ? 1 : 0;
+                       stopped = stopped || (what == stage && times == stop_at);
+                       return !stopped;
+                     }));
+      if (stage != "done") {
+        ASSERT_FALSE(solve) << stage << " " << stop_at;
+        EXPECT_TRUE(is_cancelled(solve.error())) << stage << " " << stop_at;
+      }
+    }
+  }
+}
+
 TEST(LimbOrientations, WhatIsNotANumberIsNoLimbAtRest) {
   std::vector<estimate::Inclination> inclinations(5);
   for (std::size_t i = 0; i < inclinations.size(); ++i) {
@@ -71,6 +108,16 @@ TEST(LimbOrientations, WhatIsNotANumberIsNoLimbAtRest) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "forearm");
   EXPECT_THAT(refused.error().message, HasSubstr("1.50 s"));
+}
+
+TEST(SolveTake, SlotsThatAreTooShortForTheRateAreRefused) {
+  const test::TemporaryFolder folder;
+  take::Take take = perfect_take(folder / "wave.take");
+  take.info.rig.line_in.cycle_rate_hz = 700.0;  // 4.3 samples a slot without, 3.9 with the tolerance of the clock
+  const Result<Solve> solve = solve_take(take, {}, {});
+  ASSERT_FALSE(solve);
+  EXPECT_THAT(solve.error().message, HasSubstr("3.9 samples"));
+  EXPECT_THAT(solve.error().remedy, HasSubstr("49280"));
 }
 
 TEST(SolveTake, ASensorWithoutASegmentIsToldAndLeavesTheOthersInPlace) {
