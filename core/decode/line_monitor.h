@@ -22,8 +22,10 @@ class LineMonitor {
   void watch_clicks(const LineInCycle& cycle, std::uint32_t clicks);
   /// RMS by which the reference level is off its prediction, and what of it noise explains, fractions of full scale.
   void watch_hum(const LineInCycle& cycle, double unrest, double explained, double swing);
-  /// Sums up what was clipped.
-  void finish();
+  /// Sums up what was clipped, and counts anew.
+  void sum_up();
+  /// Tells again what is still going on, and counts anew.
+  void restart();
 
  private:
   using Volts = std::array<double, kMaxSlots>;
