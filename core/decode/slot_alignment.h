@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "decode/line_in.h"
@@ -22,16 +23,24 @@ struct AccelerationFrame {
 /// One frame per cycle, at the middle of the cycle. Every axis is interpolated by AlignmentKernel; near gaps, invalid
 /// cycles and clipped values by the polynomial through what is good in the three cycles before, this one and the two
 /// after. Never across gaps. A frame of an unusable sensor carries values interpolated from its neighbours, for
-/// drawing. Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation.
+/// drawing. Streaming; looks ahead by at most two cycles. `finish` gives the last ones by one-sided interpolation,
+/// `ahead` a first version of those that still wait.
 class SlotAligner {
  public:
   SlotAligner(int sensors, SampleRate rate) : sensors_(sensors), rate_(rate) {}
   void push(const LineInCycle& cycle);
   void finish();
   std::vector<AccelerationFrame> take_frames();
+  /// The cycles that wait for later ones, as far as can be said now: at most two, for a live picture. By AlignmentKernel
+  /// with the one cycle or none that there is after them; the same bits whatever the block size. A sensor whose support
+  /// is not whole is not usable in them. Changes nothing.
+  [[nodiscard]] std::vector<AccelerationFrame> ahead() const;
 
  private:
   void emit(std::size_t index);
+  [[nodiscard]] AccelerationFrame empty_frame(std::size_t index, double instant) const;
+  [[nodiscard]] std::optional<double> by_kernel(std::size_t index, std::size_t slot, double instant,
+                                                std::size_t after) const;
   [[nodiscard]] double interpolate(std::size_t index, std::size_t slot, double instant) const;
   int sensors_;
   SampleRate rate_;
