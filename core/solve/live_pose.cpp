@@ -1,7 +1,7 @@
 #include "solve/live_pose.h"
 
 #include "solve/compose.h"
-#include "solve/front_end.h"
+#include "solve/limb_forces.h"
 
 namespace limbwave::solve {
 
@@ -41,9 +41,7 @@ std::vector<body::SegmentPose> LivePose::advance(State& state, const decode::Acc
       continue;
     }
     const auto segment = static_cast<std::size_t>(segments_[s]);
-    const estimate::ForceSample sample{frame.time_s,
-                                       calibration_.mounts[s].R_LS * calibration_.sensors[s].apply(frame.volts[s]),
-                                       (frame.usable >> s & 1U) != 0 && !saturated(signal_, frame.volts[s])};
+    const estimate::ForceSample sample = limb_force(frame, s, signal_, calibration_);
     const estimate::Inclination inclination = state.trackers[s].push(sample);
     if (inclination.known) {
       R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, state.R_WL[segment]);
