@@ -4,6 +4,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "common/core_text.h"
 #include "common/format.h"
 
 namespace limbwave::ui {
@@ -62,9 +63,9 @@ void LiveModel::set_state(LiveState state) {
 void LiveModel::fail(const Error& error) {
   // The place is the device's id, which tells people nothing that the title does not, or a file.
   const bool is_device = error.place == device_id_.toStdString();
-  problem_ = as_sentence(
-      QString::fromStdString(error.place.empty() || is_device ? error.message : error.place + ": " + error.message));
-  remedy_ = as_sentence(QString::fromStdString(error.remedy));
+  problem_ =
+      as_sentence(core_text(error.place.empty() || is_device ? error.message : error.place + ": " + error.message));
+  remedy_ = as_sentence(core_text(error.remedy));
 }
 
 bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig,
@@ -161,7 +162,7 @@ void LiveModel::poll() {
   const bool had_error = snapshot_ && !snapshot_->recording_error.empty();
   snapshot_ = std::move(next);
   if (recording_ && !had_error && !snapshot_->recording_error.empty()) {
-    Q_EMIT recording_failed(as_sentence(QString::fromStdString(snapshot_->recording_error)), {});
+    Q_EMIT recording_failed(as_sentence(core_text(snapshot_->recording_error)), {});
     stop_recording();
   }
   if (was_alive && !snapshot_->source_alive) {

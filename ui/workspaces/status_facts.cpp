@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "common/core_text.h"
 #include "common/format.h"
 #include "common/health_text.h"
 #include "common/latency_text.h"
@@ -34,7 +35,7 @@ StatusFact StatusFacts::record(const StatusInput& in) {
   if (live != nullptr && !live->recording_error.empty()) {
     fact.tone = Tone::kDanger;
     fact.text = tr("recording stopped");
-    fact.detail = QString::fromStdString(live->recording_error);
+    fact.detail = core_text(live->recording_error);
   } else if (in.finishing) {
     fact.text = tr("closing the take");
     fact.detail = tr("The last samples are being written.");

@@ -25,7 +25,7 @@ struct StatusInput {
   bool recording = false, finishing = false;
   const solve::LiveSnapshot* snapshot = nullptr;  ///< May be null.
   double disk_left_s = -1.0;                      ///< Negative: not known.
-  solve::LatencyReport latency;                   ///< Without poses: not known.
+  solve::LatencyReport latency = {};              ///< Without poses: not known.
   QString problem, remedy;                        ///< Of the live model.
 };
 

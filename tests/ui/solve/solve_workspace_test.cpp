@@ -16,6 +16,7 @@
 
 #include "base/units.h"
 #include "common/latency_text.h"
+#include "common/widgets.h"
 #include "simulate/simulate.h"
 #include "ui/support/solve_fixture.h"
 #include "workspaces/solve/bone_card.h"
@@ -396,9 +397,9 @@ class SolveWorkspaceTest : public QObject {
     QTRY_VERIFY((workspace().viewer().pose()[3].p_WL - then).norm() > 0.01);
     qInfo().noquote() << latency_sentences(report, 0.0);
     const auto told = [this] {
-      const auto labels = studio_->window->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-        return label->text().contains(QStringLiteral("sensor to screen"));
+      const auto labels = studio_->window->findChildren<ElidedLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [](const ElidedLabel* label) {
+        return label->full_text().contains(QStringLiteral("sensor to screen"));
       });
     };
     QTRY_VERIFY(told());

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/core_text.h"
 #include "common/format.h"
 #include "common/icons.h"
 #include "common/latency_text.h"
@@ -52,6 +53,7 @@ SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
   pages_->addWidget(main_page_);
   live_timer_.setInterval(kLiveStatusMs);
   follow_context();
+  show_curves();
   show_figure();
   show_state();
   follow_live();
@@ -121,6 +123,7 @@ QWidget* SolveWorkspace::make_main_page() {
 void SolveWorkspace::follow_context() {
   connect(&model_, &SolveModel::state_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::solve_changed, this, [this] {
+    show_curves();
     show_figure();
     show_state();
   });
@@ -242,11 +245,11 @@ void SolveWorkspace::show_state() {
     empty_button_->setVisible(true);
   } else if (state == SolveState::kFailed) {
     const Error& error = model_.error();
-    QString what = QString::fromStdString(error.message);
+    QString what = core_text(error.message);
     if (!what.isEmpty()) {
       what[0] = what[0].toUpper();
     }
-    QString remedy = QString::fromStdString(error.remedy);
+    QString remedy = core_text(error.remedy);
     if (!remedy.isEmpty()) {
       remedy[0] = remedy[0].toUpper();
     }
@@ -284,13 +287,19 @@ void SolveWorkspace::show_figure() {
   if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
     viewer_->set_extent(motion_extent(clip, 60));
+  }
+  show_selection();
+  show_pose();
+}
+
+void SolveWorkspace::show_curves() {
+  if (model_.solve()) {
+    const motion::Clip& clip = model_.solve()->clip;
     curves_->set_curves(model_.curves(),
                         clip.joints.empty() ? std::vector<double>() : clip.joints.front().rotation.times);
   } else {
     curves_->set_curves({}, {});
   }
-  show_selection();
-  show_pose();
 }
 
 void SolveWorkspace::show_pose() {

@@ -43,6 +43,7 @@ class SolveWorkspace : public Workspace {
   void set_live(bool live);
   void show_state();
   void show_figure();
+  void show_curves();
   void show_pose();
   void show_live_figure();
   void note_live_frame(double steady_time_s, double tag);
