@@ -1590,6 +1590,14 @@
         <source>use auto, snapshot, segments, library or nominal</source>
         <translation>auto, snapshot, segments, library oder nominal verwenden</translation>
     </message>
+    <message>
+        <source>the signal of %1 jumps within its slot: a click, or samples that were lost; the reading is left out</source>
+        <translation>das Signal von %1 springt innerhalb seines Zeitfachs: ein Knacks oder verlorene Abtastwerte; der Messwert wird weggelassen</translation>
+    </message>
+    <message>
+        <source>If it happens often, check plugs and solder joints, close other programs or take a larger buffer</source>
+        <translation>Kommt es oft vor: Stecker und Lötstellen prüfen, andere Programme schließen oder einen größeren Puffer nehmen</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -2783,13 +2791,6 @@
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, von %2 bis %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n joint(s)</source>
-        <translation>
-            <numerusform>%n Gelenk</numerusform>
-            <numerusform>%n Gelenke</numerusform>
-        </translation>
     </message>
     <message>
         <source>m</source>

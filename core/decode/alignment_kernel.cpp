@@ -22,11 +22,12 @@ AlignmentKernel::AlignmentKernel(std::size_t after) : taps_(kBefore + 1 + std::m
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kTaps, 1>;
   const double pass_power = taps_ == kTaps ? kPassPower : kAheadPassPower;
   const double edge_power = taps_ == kTaps ? kEdgePower : kAheadEdgePower;
+  const double rest_power = taps_ == kTaps ? kRestPower : 0.0;
   const auto count = static_cast<Eigen::Index>(taps_);
   // Covariance of the assumed signal over a distance of `cycles`, in units of the noise's variance.
   const auto covariance = [&](double cycles) {
     return kMeanPower + pass_power * sinc(2.0 * kPi * kPassband * cycles) +
-           edge_power * sinc(2.0 * kPi * kEdge * cycles);
+           edge_power * sinc(2.0 * kPi * kEdge * cycles) + rest_power * sinc(kPi * cycles);
   };
   Matrix between(count, count);
   for (Eigen::Index k = 0; k < between.rows(); ++k) {

@@ -84,6 +84,22 @@ void LineMonitor::watch_clipping(const LineInCycle& cycle, bool counter_clipped,
   }
 }
 
+void LineMonitor::watch_clicks(const LineInCycle& cycle, std::uint32_t clicks) {
+  if (clicks == 0) {
+    return;
+  }
+  const double time_s = cycle.start_sample / rate_.hz;
+  if (time_s - last_click_s_ > kStretchEnds_s) {
+    log_->add({Severity::kWarning, "line-in.click",
+               fmt::format("the signal of {} jumps within its slot: a click, or samples that were lost; the reading is "
+                           "left out",
+                           slot_name(std::countr_zero(clicks))),
+               "If it happens often, check plugs and solder joints, close other programs or take a larger buffer", "",
+               time_s});
+  }
+  last_click_s_ = time_s;
+}
+
 void LineMonitor::watch_hum(const LineInCycle& cycle, double unrest, double explained, double swing) {
   const double limit = std::max(4.0 * explained, kHum * swing);
   if (unrest > limit && !humming_) {

@@ -9,7 +9,9 @@ namespace limbwave::decode {
 namespace {
 
 constexpr std::size_t kAfter = AlignmentKernel::kAfter;
-constexpr std::size_t kBefore = 3;  // of the polynomial
+constexpr std::size_t kBefore = 3;      // of the polynomial
+constexpr std::size_t kFewest = 4;      // points that make a value
+constexpr double kExtrapolated = 0.05;  // of a cycle: hardly more than none
 
 const AlignmentKernel& kernel(std::size_t after) {
   static const std::array<AlignmentKernel, kAfter + 1> instances{AlignmentKernel(0), AlignmentKernel(1),
@@ -35,7 +37,7 @@ double interpolate_at_zero(const double* x, const double* values, std::size_t co
 }
 
 bool supports(const LineInCycle& cycle, std::size_t slot) {
-  return cycle.valid && (cycle.clipped >> slot & 1U) == 0;
+  return cycle.valid && ((cycle.clipped | cycle.uncertain) >> slot & 1U) == 0;
 }
 
 }  // namespace
@@ -43,6 +45,7 @@ bool supports(const LineInCycle& cycle, std::size_t slot) {
 void SlotAligner::push(const LineInCycle& cycle) {
   if (cycle.gap_before) {
     finish();
+    gap_ = true;
   }
   window_.push_back(cycle);
   while (next_ + kAfter < window_.size()) {
@@ -55,11 +58,11 @@ void SlotAligner::push(const LineInCycle& cycle) {
 }
 
 void SlotAligner::finish() {
-  while (next_ < window_.size()) {
+  while (next_ + 1 < window_.size()) {
     emit(next_++);
   }
   window_.clear();
-  next_ = 0;
+  next_ = kFirst;
 }
 
 std::vector<AccelerationFrame> SlotAligner::take_frames() {
@@ -71,7 +74,8 @@ std::vector<AccelerationFrame> SlotAligner::ahead() const {
   for (std::size_t index = next_; index < window_.size(); ++index) {
     const LineInCycle& cycle = window_[index];
     const double instant = cycle.start_sample + 0.5 * cycle.period_samples;
-    AccelerationFrame frame = empty_frame(index, instant);
+    AccelerationFrame frame = empty_frame(instant);
+    frame.gap_before = gap_ && index == next_;
     for (std::size_t sensor = 0; sensor < static_cast<std::size_t>(sensors_); ++sensor) {
       bool usable = true;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -107,9 +111,9 @@ std::optional<double> SlotAligner::by_kernel(std::size_t index, std::size_t slot
   return whole ? std::optional(kernel(after).at_zero(instants, volts)) : std::nullopt;
 }
 
-double SlotAligner::interpolate(std::size_t index, std::size_t slot, double instant) const {
+SlotAligner::Value SlotAligner::interpolate(std::size_t index, std::size_t slot, double instant) const {
   if (const std::optional<double> volts = by_kernel(index, slot, instant, kAfter)) {
-    return *volts;
+    return {*volts, true};
   }
   // Unbroken support on either side of this cycle; a bad cycle itself is bridged.
   std::array<double, kBefore + 1 + kAfter> x{};
@@ -129,26 +133,33 @@ double SlotAligner::interpolate(std::size_t index, std::size_t slot, double inst
   }
   for (std::size_t k = index + 1; k < std::min(window_.size(), index + kAfter + 1) && add(window_[k]); ++k) {
   }
-  return count == 0 ? window_[index].volts[slot] : interpolate_at_zero(x.data(), values.data(), count);
+  if (count == 0) {
+    return {window_[index].volts[slot], false};
+  }
+  const auto [earliest, latest] = std::minmax_element(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(count));
+  const double reach = kExtrapolated * window_[index].period_samples;
+  return {interpolate_at_zero(x.data(), values.data(), count),
+          count >= kFewest && *earliest <= reach && *latest >= -reach};
 }
 
-AccelerationFrame SlotAligner::empty_frame(std::size_t index, double instant) const {
+AccelerationFrame SlotAligner::empty_frame(double instant) const {
   AccelerationFrame frame;
   frame.time_s = instant / rate_.hz;
-  frame.gap_before = window_[index].gap_before;
   return frame;
 }
 
 void SlotAligner::emit(std::size_t index) {
   const LineInCycle& cycle = window_[index];
   const double instant = cycle.start_sample + 0.5 * cycle.period_samples;
-  AccelerationFrame frame = empty_frame(index, instant);
+  AccelerationFrame frame = empty_frame(instant);
+  frame.gap_before = std::exchange(gap_, false);
   for (std::size_t sensor = 0; sensor < static_cast<std::size_t>(sensors_); ++sensor) {
     bool usable = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t slot = 3 * sensor + axis;
-      usable = usable && supports(cycle, slot);
-      frame.volts[sensor][static_cast<Eigen::Index>(axis)] = interpolate(index, slot, instant);
+      const Value value = interpolate(index, slot, instant);
+      usable = usable && supports(cycle, slot) && value.supported;
+      frame.volts[sensor][static_cast<Eigen::Index>(axis)] = value.volts;
     }
     if (usable) {
       frame.usable |= 1U << sensor;

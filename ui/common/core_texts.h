@@ -9,6 +9,9 @@ namespace limbwave::ui {
 
 inline constexpr std::array kCoreTexts{
     // core/base
+    QT_TRANSLATE_NOOP("Core", "cannot be written"),
+    QT_TRANSLATE_NOOP("Core", "writing failed"),
+    QT_TRANSLATE_NOOP("Core", "check that the folder exists, that you may write there and that the disk has room"),
     QT_TRANSLATE_NOOP("Core", "is a folder, not a file"),
     QT_TRANSLATE_NOOP("Core", "name a file"),
     QT_TRANSLATE_NOOP("Core", "cannot be read (%1)"),
@@ -18,9 +21,6 @@ inline constexpr std::array kCoreTexts{
     QT_TRANSLATE_NOOP("Core", "is too large"),
     QT_TRANSLATE_NOOP("Core", "reading failed half-way"),
     QT_TRANSLATE_NOOP("Core", "check the disk"),
-    QT_TRANSLATE_NOOP("Core", "check that the folder exists, that you may write there and that the disk has room"),
-    QT_TRANSLATE_NOOP("Core", "cannot be written"),
-    QT_TRANSLATE_NOOP("Core", "writing failed"),
     QT_TRANSLATE_NOOP("Core", "is nested deeper than %1 levels"),
     QT_TRANSLATE_NOOP("Core", "is not valid JSON"),
     QT_TRANSLATE_NOOP("Core", "correct it there"),
@@ -137,6 +137,8 @@ inline constexpr std::array kCoreTexts{
     QT_TRANSLATE_NOOP("Core", "Turn the input level down and record this part again"),
     QT_TRANSLATE_NOOP("Core", "the counter channel reaches full scale, so its swing is no measure of the gain; the last good scale is kept"),
     QT_TRANSLATE_NOOP("Core", "Turn the input level down until the counter reaches about two thirds of full scale"),
+    QT_TRANSLATE_NOOP("Core", "the signal of %1 jumps within its slot: a click, or samples that were lost; the reading is left out"),
+    QT_TRANSLATE_NOOP("Core", "If it happens often, check plugs and solder joints, close other programs or take a larger buffer"),
     QT_TRANSLATE_NOOP("Core", "the reference level, which should stand still, moves by %1 % of the counter's swing: there is hum on the sensor channel"),
     QT_TRANSLATE_NOOP("Core", "Run the computer on its battery, keep the cable away from power supplies and use a shielded one"),
     QT_TRANSLATE_NOOP("Core", "the sensor channel changed by a factor of %1, the counter channel did not"),
