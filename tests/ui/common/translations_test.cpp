@@ -27,7 +27,7 @@ const QString kGerman = kSources + QStringLiteral("/translations/limbwave_de.ts"
 
 struct Message {
   QString context, source;
-  QStringList translations;  // several for plurals
+  QStringList translations;  // all forms of a plural in one
   QString type;              // "unfinished", "vanished", "obsolete" or nothing
 };
 
@@ -50,8 +50,6 @@ std::vector<Message> messages_of(const QString& path) {
       list.push_back({context, {}, {}, {}});
     } else if (tag == QLatin1String("source")) {
       list.back().source = xml.readElementText();
-    } else if (tag == QLatin1String("numerusform")) {
-      list.back().translations << xml.readElementText();
     } else if (tag == QLatin1String("translation")) {
       list.back().type = xml.attributes().value(QLatin1String("type")).toString();
       const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
@@ -124,6 +122,21 @@ TEST(Translations, NoTextOfTheSourcesIsMissing) {
     }
   }
   EXPECT_EQ(missing, 0) << "run `ninja update_translations` and translate";
+}
+
+TEST(Translations, EnglishHasItsPlurals) {
+  const std::vector<Message> messages = messages_of(kSources + QStringLiteral("/translations/limbwave_en.ts"));
+  ASSERT_GT(messages.size(), 3U);
+  for (const Message& message : messages) {
+    EXPECT_EQ(message.type, QString()) << message.source.toStdString();
+    EXPECT_FALSE(message.translations.last().isEmpty()) << message.source.toStdString();
+    EXPECT_FALSE(message.translations.last().contains(QLatin1String("(s)"))) << message.source.toStdString();
+  }
+  std::size_t plurals = 0;
+  for (const Message& message : messages_of(kGerman)) {
+    plurals += message.source.contains(QLatin1String("%n")) ? 1 : 0;
+  }
+  EXPECT_EQ(plurals, messages.size()) << "run `ninja update_translations` and fill in limbwave_en.ts";
 }
 
 TEST(CoreTemplate, TakesArgumentsOut) {
