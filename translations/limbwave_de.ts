@@ -1,2086 +1,4783 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
-    <context>
-        <name>CoreServices</name>
-        <message>
-            <source>Simulator: %1</source>
-            <translation>Simulator: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>Export</name>
-        <message>
-            <source>BVH</source>
-            <translation>BVH</translation>
-        </message>
-        <message>
-            <source>Skeleton and motion as text. Blender, Maya, MotionBuilder and many others read it.</source>
-            <translation>Skelett und Bewegung als Text. Blender, Maya, MotionBuilder und viele andere lesen es.</translation>
-        </message>
-        <message>
-            <source>Choose where the file goes.</source>
-            <translation>Wählen Sie, wohin die Datei soll.</translation>
-        </message>
-        <message>
-            <source>The folder %1 does not exist. Choose another one.</source>
-            <translation>Den Ordner %1 gibt es nicht. Wählen Sie einen anderen.</translation>
-        </message>
-        <message>
-            <source>%1 is a folder. Give the file a name.</source>
-            <translation>%1 ist ein Ordner. Geben Sie der Datei einen Namen.</translation>
-        </message>
-        <message>
-            <source>You may not write into %1. Choose another folder.</source>
-            <translation>Sie dürfen nicht in %1 schreiben. Wählen Sie einen anderen Ordner.</translation>
-        </message>
-        <message>
-            <source>The name must end in %1, or other programs will not find the file.</source>
-            <translation>Der Name muss auf %1 enden, sonst finden andere Programme die Datei nicht.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Format</name>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 min</translation>
-        </message>
-        <message>
-            <source>%1 h</source>
-            <translation>%1 h</translation>
-        </message>
-        <message>
-            <source>over 9 days</source>
-            <translation>über 9 Tage</translation>
-        </message>
-        <message>
-            <source>%1 days</source>
-            <translation>%1 Tage</translation>
-        </message>
-        <message>
-            <source>%1 kHz</source>
-            <translation>%1 kHz</translation>
-        </message>
-        <message>
-            <source>silent</source>
-            <translation>stumm</translation>
-        </message>
-        <message>
-            <source>%1 dB</source>
-            <translation>%1 dB</translation>
-        </message>
-        <message>
-            <source>The take needs a name.</source>
-            <translation>Der Take braucht einen Namen.</translation>
-        </message>
-        <message>
-            <source>A take's name has no slash and does not start with a dot.</source>
-            <translation>Der Name eines Takes enthält keinen Schrägstrich und beginnt nicht mit einem Punkt.</translation>
-        </message>
-        <message>
-            <source>This name is too long for the disk.</source>
-            <translation>Dieser Name ist zu lang für die Platte.</translation>
-        </message>
-        <message>
-            <source>There is a take of this name already. Choose another one.</source>
-            <translation>Einen Take dieses Namens gibt es schon. Wählen Sie einen anderen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Health</name>
-        <message>
-            <source>not heard yet</source>
-            <translation>noch nicht gehört</translation>
-        </message>
-        <message>
-            <source>good</source>
-            <translation>gut</translation>
-        </message>
-        <message>
-            <source>reads nothing; check that the sensor is plugged in</source>
-            <translation>misst nichts; prüfen Sie, ob der Sensor eingesteckt ist</translation>
-        </message>
-        <message>
-            <source>no readings yet</source>
-            <translation>noch keine Messwerte</translation>
-        </message>
-        <message>
-            <source>works, but was never calibrated; calibrate its range</source>
-            <translation>arbeitet, wurde aber nie kalibriert; kalibrieren Sie seinen Messbereich</translation>
-        </message>
-    </context>
-    <context>
-        <name>LevelAdvice</name>
-        <message>
-            <source>Nothing comes in</source>
-            <translation>Es kommt nichts an</translation>
-        </message>
-        <message>
-            <source>Check the cable, that the board has power, and that this is the input it is plugged into.</source>
-            <translation>Prüfen Sie das Kabel, ob die Platine Strom hat und ob sie in diesem Eingang steckt.</translation>
-        </message>
-        <message>
-            <source>This does not sound like the board</source>
-            <translation>Das klingt nicht nach der Platine</translation>
-        </message>
-        <message>
-            <source>Choose the line input, not the microphone; use a stereo cable; switch off echo cancelling and noise suppression of the sound system.</source>
-            <translation>Wählen Sie den Line-Eingang, nicht das Mikrofon; nehmen Sie ein Stereokabel; schalten Sie Echo- und Rauschunterdrückung des Soundsystems aus.</translation>
-        </message>
-        <message>
-            <source>Listening</source>
-            <translation>Hört zu</translation>
-        </message>
-        <message>
-            <source>The line is being judged; this takes about a second.</source>
-            <translation>Die Leitung wird beurteilt; das dauert etwa eine Sekunde.</translation>
-        </message>
-        <message>
-            <source>Too high</source>
-            <translation>Zu hoch</translation>
-        </message>
-        <message>
-            <source>Turn the recording volume down a little, or quick movements will clip.</source>
-            <translation>Regeln Sie die Aufnahmelautstärke etwas herunter, sonst übersteuern schnelle Bewegungen.</translation>
-        </message>
-        <message>
-            <source>Too low</source>
-            <translation>Zu niedrig</translation>
-        </message>
-        <message>
-            <source>Turn the recording volume up until the bar stands in the green zone; now it is at %1.</source>
-            <translation>Regeln Sie die Aufnahmelautstärke herauf, bis der Balken im grünen Bereich steht; jetzt sind es %1.</translation>
-        </message>
-        <message>
-            <source>Level is good</source>
-            <translation>Der Pegel ist gut</translation>
-        </message>
-        <message>
-            <source>No device is open</source>
-            <translation>Kein Gerät ist offen</translation>
-        </message>
-        <message>
-            <source>Choose one above.</source>
-            <translation>Wählen Sie oben eines.</translation>
-        </message>
-        <message>
-            <source>The device has stopped sending</source>
-            <translation>Das Gerät sendet nicht mehr</translation>
-        </message>
-        <message>
-            <source>Plug it in again, look for devices again, and choose it once more.</source>
-            <translation>Stecken Sie es wieder ein, suchen Sie erneut nach Geräten und wählen Sie es noch einmal.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Motions</name>
-        <message>
-            <source>Waving</source>
-            <translation>Winken</translation>
-        </message>
-        <message>
-            <source>Quick turns of the forearm</source>
-            <translation>Schnelle Drehungen des Unterarms</translation>
-        </message>
-        <message>
-            <source>Arm raises</source>
-            <translation>Arm heben</translation>
-        </message>
-        <message>
-            <source>Slow and exact</source>
-            <translation>Langsam und genau</translation>
-        </message>
-        <message>
-            <source>Reaching for a glass</source>
-            <translation>Nach einem Glas greifen</translation>
-        </message>
-        <message>
-            <source>All segments at once</source>
-            <translation>Alle Glieder zugleich</translation>
-        </message>
-        <message>
-            <source>Walking</source>
-            <translation>Gehen</translation>
-        </message>
-        <message>
-            <source>The arm swings along</source>
-            <translation>Der Arm schwingt mit</translation>
-        </message>
-        <message>
-            <source>Boxing</source>
-            <translation>Boxen</translation>
-        </message>
-        <message>
-            <source>Hard accelerations</source>
-            <translation>Harte Beschleunigungen</translation>
-        </message>
-        <message>
-            <source>Every joint</source>
-            <translation>Jedes Gelenk</translation>
-        </message>
-        <message>
-            <source>One after another</source>
-            <translation>Eines nach dem anderen</translation>
-        </message>
-        <message>
-            <source>Still poses</source>
-            <translation>Ruhige Haltungen</translation>
-        </message>
-        <message>
-            <source>For measuring accuracy</source>
-            <translation>Zum Messen der Genauigkeit</translation>
-        </message>
-        <message>
-            <source>From the simulator</source>
-            <translation>Aus dem Simulator</translation>
-        </message>
-    </context>
-    <context>
-        <name>Quality</name>
-        <message>
-            <source>–</source>
-            <translation>–</translation>
-        </message>
-        <message>
-            <source>100 %</source>
-            <translation>100 %</translation>
-        </message>
-        <message>
-            <source>%1 %</source>
-            <translation>%1 %</translation>
-        </message>
-        <message>
-            <source>%1: only %2 of the readings are usable.</source>
-            <translation>%1: nur %2 der Messwerte sind brauchbar.</translation>
-        </message>
-        <message>
-            <source>Check its plug and cable, and that the level does not clip.</source>
-            <translation>Prüfen Sie Stecker und Kabel und dass der Pegel nicht übersteuert.</translation>
-        </message>
-        <message>
-            <source>%1: reads %2 g at rest instead of 1.</source>
-            <translation>%1: misst in Ruhe %2 g statt 1.</translation>
-        </message>
-        <message>
-            <source>Calibrate its range: turn it slowly about all axes.</source>
-            <translation>Kalibrieren Sie seinen Messbereich: Drehen Sie ihn langsam um alle Achsen.</translation>
-        </message>
-        <message>
-            <source>Calibrate its range again when you have a minute.</source>
-            <translation>Kalibrieren Sie seinen Messbereich neu, wenn Sie eine Minute haben.</translation>
-        </message>
-        <message>
-            <source>%1: gravity alone explains only %2 of the readings.</source>
-            <translation>%1: die Schwerkraft allein erklärt nur %2 der Messwerte.</translation>
-        </message>
-        <message>
-            <source>The limb moved fast. Bridging or stronger smoothing helps.</source>
-            <translation>Das Glied bewegte sich schnell. Überbrücken oder stärkeres Glätten hilft.</translation>
-        </message>
-        <message>
-            <source>%1: good.</source>
-            <translation>%1: gut.</translation>
-        </message>
-        <message>
-            <source>No signal was found on the line.</source>
-            <translation>Auf der Leitung wurde kein Signal gefunden.</translation>
-        </message>
-        <message>
-            <source>Check that the recording is of the sensor board, in stereo.</source>
-            <translation>Prüfen Sie, ob die Aufnahme von der Sensorplatine stammt und stereo ist.</translation>
-        </message>
-        <message>
-            <source>%1 of the signal was lost.</source>
-            <translation>%1 des Signals gingen verloren.</translation>
-        </message>
-        <message>
-            <source>Look at the events on the timeline for when, and check plugs and levels.</source>
-            <translation>Wann, zeigen die Ereignisse auf der Zeitleiste; prüfen Sie Stecker und Pegel.</translation>
-        </message>
-        <message>
-            <source>%1 readings touched full scale.</source>
-            <translation>%1 Messwerte stießen an die Aussteuerungsgrenze.</translation>
-        </message>
-        <message>
-            <source>Turn the recording level down before the next take.</source>
-            <translation>Regeln Sie vor dem nächsten Take den Aufnahmepegel herunter.</translation>
-        </message>
-        <message>
-            <source>The line was heard without loss.</source>
-            <translation>Die Leitung wurde ohne Verlust gehört.</translation>
-        </message>
-        <message>
-            <source>%1 readings a second, clock jitter %2 %</source>
-            <translation>%1 Messungen je Sekunde, Taktzittern %2 %</translation>
-        </message>
-        <message>
-            <source>%1 cycles heard, %2 lost</source>
-            <translation>%1 Zyklen gehört, %2 verloren</translation>
-        </message>
-        <message>
-            <source>Coupling of the sound card %1 ± %2 Hz, undone</source>
-            <translation>Kopplung der Soundkarte %1 ± %2 Hz, herausgerechnet</translation>
-        </message>
-        <message>
-            <source>Coupling of the sound card %1 Hz, undone</source>
-            <translation>Kopplung der Soundkarte %1 Hz, herausgerechnet</translation>
-        </message>
-        <message>
-            <source>Noise %1 dB</source>
-            <translation>Rauschen %1 dB</translation>
-        </message>
-        <message>
-            <source>Left and right were swapped; taken care of</source>
-            <translation>Links und rechts waren vertauscht; berücksichtigt</translation>
-        </message>
-        <message>
-            <source>The signal came inverted; taken care of</source>
-            <translation>Das Signal kam umgepolt an; berücksichtigt</translation>
-        </message>
-        <message>
-            <source>At %1 s: %2</source>
-            <translation>Bei %1 s: %2</translation>
-        </message>
-        <message>
-            <source>Good: every sensor was heard and trusted.</source>
-            <translation>Gut: Jeder Sensor wurde gehört und war vertrauenswürdig.</translation>
-        </message>
-        <message>
-            <source>%1° mean, %2° at most</source>
-            <translation>%1° im Mittel, höchstens %2°</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>Keine</translation>
-        </message>
-        <message>
-            <source>Adaptive</source>
-            <translation>Anpassend</translation>
-        </message>
-        <message>
-            <source>Bridging</source>
-            <translation>Überbrückend</translation>
-        </message>
-        <message>
-            <source>Every frame by itself, as measured.</source>
-            <translation>Jedes Bild für sich, wie gemessen.</translation>
-        </message>
-        <message>
-            <source>Follows trusted readings closely and smooths the others. No lag.</source>
-            <translation>Folgt vertrauenswürdigen Messwerten eng und glättet die anderen. Ohne Verzug.</translation>
-        </message>
-        <message>
-            <source>As adaptive, and carries the limb on through bursts of acceleration.</source>
-            <translation>Wie anpassend, und führt das Glied durch Beschleunigungsstöße weiter.</translation>
-        </message>
-    </context>
-    <context>
-        <name>SolveEntries</name>
-        <message>
-            <source>Solve</source>
-            <translation>Berechnen</translation>
-        </message>
-        <message>
-            <source>See the moving figure, judge it, key rotations</source>
-            <translation>Die bewegte Figur sehen, beurteilen, Drehungen setzen</translation>
-        </message>
-        <message>
-            <source>F</source>
-            <translation>F</translation>
-        </message>
-        <message>
-            <source>Frame the selection</source>
-            <translation>Auswahl ins Bild holen</translation>
-        </message>
-        <message>
-            <source>Shift+F / Shift+S / Shift+T</source>
-            <translation>Umschalt+F / Umschalt+S / Umschalt+T</translation>
-        </message>
-        <message>
-            <source>Look from the front, the side, the top</source>
-            <translation>Von vorn, von der Seite, von oben sehen</translation>
-        </message>
-        <message>
-            <source>Drag / Shift+drag / wheel</source>
-            <translation>Ziehen / Umschalt+Ziehen / Rad</translation>
-        </message>
-        <message>
-            <source>Turn, move, zoom the view</source>
-            <translation>Ansicht drehen, verschieben, vergrößern</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>Ausgeben</translation>
-        </message>
-        <message>
-            <source>Write the motion to a file for other programs</source>
-            <translation>Die Bewegung für andere Programme in eine Datei schreiben</translation>
-        </message>
-        <message>
-            <source>Ctrl+E</source>
-            <translation>Strg+E</translation>
-        </message>
-        <message>
-            <source>Space</source>
-            <translation>Leertaste</translation>
-        </message>
-        <message>
-            <source>Play or pause</source>
-            <translation>Abspielen oder anhalten</translation>
-        </message>
-        <message>
-            <source>J / K / L</source>
-            <translation>J / K / L</translation>
-        </message>
-        <message>
-            <source>Play backwards, stop, play forwards; again: faster</source>
-            <translation>Rückwärts, anhalten, vorwärts; nochmals: schneller</translation>
-        </message>
-        <message>
-            <source>Left / Right</source>
-            <translation>Links / Rechts</translation>
-        </message>
-        <message>
-            <source>One frame back or on; with Shift ten</source>
-            <translation>Ein Bild zurück oder vor; mit Umschalt zehn</translation>
-        </message>
-        <message>
-            <source>Up / Down</source>
-            <translation>Auf / Ab</translation>
-        </message>
-        <message>
-            <source>To the key before or after</source>
-            <translation>Zum Schlüssel davor oder danach</translation>
-        </message>
-        <message>
-            <source>Home / End</source>
-            <translation>Pos1 / Ende</translation>
-        </message>
-        <message>
-            <source>To the start or the end</source>
-            <translation>Zum Anfang oder Ende</translation>
-        </message>
-        <message>
-            <source>Shift+Home</source>
-            <translation>Umschalt+Pos1</translation>
-        </message>
-        <message>
-            <source>Show the whole clip</source>
-            <translation>Den ganzen Clip zeigen</translation>
-        </message>
-        <message>
-            <source>I</source>
-            <translation>I</translation>
-        </message>
-        <message>
-            <source>Set a key for the selected bone</source>
-            <translation>Schlüssel für den gewählten Knochen setzen</translation>
-        </message>
-        <message>
-            <source>Del</source>
-            <translation>Entf</translation>
-        </message>
-        <message>
-            <source>Delete the selected keys</source>
-            <translation>Die gewählten Schlüssel löschen</translation>
-        </message>
-        <message>
-            <source>Alt+Left / Alt+Right</source>
-            <translation>Alt+Links / Alt+Rechts</translation>
-        </message>
-        <message>
-            <source>Move the selected keys by a frame</source>
-            <translation>Die gewählten Schlüssel um ein Bild verschieben</translation>
-        </message>
-        <message>
-            <source>Alt+Up / Alt+Down</source>
-            <translation>Alt+Auf / Alt+Ab</translation>
-        </message>
-        <message>
-            <source>Turn the selected keys by 1°; with Shift by 0.1°</source>
-            <translation>Die gewählten Schlüssel um 1° drehen; mit Umschalt um 0,1°</translation>
-        </message>
-    </context>
-    <context>
-        <name>SolveTimeline</name>
-        <message>
-            <source>Select a bone, then press I to key its rotation about the vertical.</source>
-            <translation>Wählen Sie einen Knochen und drücken Sie I, um seine Drehung um die Senkrechte zu setzen.</translation>
-        </message>
-        <message>
-            <source>Keys of the bones appear here once a take is solved.</source>
-            <translation>Die Schlüssel der Knochen erscheinen hier, sobald ein Take berechnet ist.</translation>
-        </message>
-    </context>
-    <context>
-        <name>StatusFacts</name>
-        <message>
-            <source>not recording</source>
-            <translation>keine Aufnahme</translation>
-        </message>
-        <message>
-            <source>Nothing is being recorded.</source>
-            <translation>Es wird nichts aufgenommen.</translation>
-        </message>
-        <message>
-            <source>recording stopped</source>
-            <translation>Aufnahme beendet</translation>
-        </message>
-        <message>
-            <source>closing the take</source>
-            <translation>Take wird geschlossen</translation>
-        </message>
-        <message>
-            <source>The last samples are being written.</source>
-            <translation>Die letzten Werte werden geschrieben.</translation>
-        </message>
-        <message>
-            <source>REC %1</source>
-            <translation>REC %1</translation>
-        </message>
-        <message>
-            <source>Times at which the device lost samples: %1. Close other programs, or choose a lower rate.</source>
-            <translation>So oft hat das Gerät Werte verloren: %1. Schließen Sie andere Programme oder wählen Sie eine niedrigere Rate.</translation>
-        </message>
-        <message>
-            <source>Recording. No sample has been lost.</source>
-            <translation>Aufnahme läuft. Kein Wert ging verloren.</translation>
-        </message>
-        <message>
-            <source>(losing samples)</source>
-            <translation>(verliert Werte)</translation>
-        </message>
-        <message>
-            <source>no device</source>
-            <translation>kein Gerät</translation>
-        </message>
-        <message>
-            <source>device lost</source>
-            <translation>Gerät verloren</translation>
-        </message>
-        <message>
-            <source>disk –</source>
-            <translation>Platte –</translation>
-        </message>
-        <message>
-            <source>disk %1</source>
-            <translation>Platte %1</translation>
-        </message>
-        <message>
-            <source>The disk is full after %1 of recording. Free some space or choose another folder.</source>
-            <translation>Nach %1 Aufnahme ist die Platte voll. Schaffen Sie Platz oder wählen Sie einen anderen Ordner.</translation>
-        </message>
-        <message>
-            <source>The disk has room for %1 of recording.</source>
-            <translation>Die Platte hat Platz für %1 Aufnahme.</translation>
-        </message>
-        <message>
-            <source>sensors –</source>
-            <translation>Sensoren –</translation>
-        </message>
-        <message>
-            <source>Known while a device is open.</source>
-            <translation>Bekannt, solange ein Gerät offen ist.</translation>
-        </message>
-        <message>
-            <source>Sensor %1: %2</source>
-            <translation>Sensor %1: %2</translation>
-        </message>
-        <message>
-            <source>All sensors send plausible accelerations.</source>
-            <translation>Alle Sensoren senden plausible Beschleunigungen.</translation>
-        </message>
-        <message>
-            <source>The sensors have not been heard yet.</source>
-            <translation>Die Sensoren wurden noch nicht gehört.</translation>
-        </message>
-        <message>
-            <source>sensors %1/%2</source>
-            <translation>Sensoren %1/%2</translation>
-        </message>
-        <message>
-            <source>sync –</source>
-            <translation>Takt –</translation>
-        </message>
-        <message>
-            <source>no signal</source>
-            <translation>kein Signal</translation>
-        </message>
-        <message>
-            <source>The device has stopped sending.</source>
-            <translation>Das Gerät sendet nicht mehr.</translation>
-        </message>
-        <message>
-            <source>sync %1 Hz</source>
-            <translation>Takt %1 Hz</translation>
-        </message>
-        <message>
-            <source>In step with the board; cycles lost since the start: %1.</source>
-            <translation>Im Takt mit der Platine; verlorene Zyklen seit dem Start: %1.</translation>
-        </message>
-        <message>
-            <source>In step with the board; no cycle has been lost.</source>
-            <translation>Im Takt mit der Platine; kein Zyklus ging verloren.</translation>
-        </message>
-        <message>
-            <source>no sync</source>
-            <translation>kein Takt</translation>
-        </message>
-        <message>
-            <source>The board's clock is not heard on the right channel. Look at the scope.</source>
-            <translation>Der Takt der Platine ist auf dem rechten Kanal nicht zu hören. Sehen Sie auf das Oszilloskop.</translation>
-        </message>
-        <message>
-            <source>listening</source>
-            <translation>hört zu</translation>
-        </message>
-        <message>
-            <source>Looking for the board's clock.</source>
-            <translation>Sucht den Takt der Platine.</translation>
-        </message>
-        <message>
-            <source>latency –</source>
-            <translation>Verzug –</translation>
-        </message>
-        <message>
-            <source>From the sensor to the screen, beyond the device's own buffer; known while a skeleton is shown live.</source>
-            <translation>Vom Sensor bis zum Bildschirm, jenseits des Gerätepuffers; bekannt, solange ein Skelett live gezeigt wird.</translation>
-        </message>
-        <message>
-            <source>latency %1 ms</source>
-            <translation>Verzug %1 ms</translation>
-        </message>
-        <message>
-            <source>From the sensor to the screen, beyond the device's own buffer: %1 ms on average, %2 ms at most; the device adds %3 ms.</source>
-            <translation>Vom Sensor bis zum Bildschirm, jenseits des Gerätepuffers: im Mittel %1 ms, höchstens %2 ms; das Gerät fügt %3 ms hinzu.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Workspaces</name>
-        <message>
-            <source>Capture</source>
-            <translation>Aufnehmen</translation>
-        </message>
-        <message>
-            <source>Choose a device, check levels, record</source>
-            <translation>Gerät wählen, Pegel prüfen, aufnehmen</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::BoneCard</name>
-        <message>
-            <source>Bone</source>
-            <translation>Knochen</translation>
-        </message>
-        <message>
-            <source>Selected bone</source>
-            <translation>Gewählter Knochen</translation>
-        </message>
-        <message>
-            <source> mm</source>
-            <translation> mm</translation>
-        </message>
-        <message>
-            <source>Length of the bone in millimetres</source>
-            <translation>Länge des Knochens in Millimetern</translation>
-        </message>
-        <message>
-            <source>°</source>
-            <translation>°</translation>
-        </message>
-        <message>
-            <source>Rotation about the vertical at the playhead in degrees</source>
-            <translation>Drehung um die Senkrechte an der Abspielmarke in Grad</translation>
-        </message>
-        <message>
-            <source>Sets a key at the playhead</source>
-            <translation>Setzt einen Schlüssel an der Abspielmarke</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>Name</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>Länge</translation>
-        </message>
-        <message>
-            <source>Rotation</source>
-            <translation>Drehung</translation>
-        </message>
-        <message>
-            <source>Set key</source>
-            <translation>Schlüssel setzen</translation>
-        </message>
-        <message>
-            <source>Sets a key of the rotation at the playhead (I)</source>
-            <translation>Setzt an der Abspielmarke einen Schlüssel der Drehung (I)</translation>
-        </message>
-        <message>
-            <source>Delete key</source>
-            <translation>Schlüssel löschen</translation>
-        </message>
-        <message>
-            <source>Deletes the selected keys (Del)</source>
-            <translation>Löscht die gewählten Schlüssel (Entf)</translation>
-        </message>
-        <message>
-            <source>Keys of the rotation about the vertical</source>
-            <translation>Schlüssel der Drehung um die Senkrechte</translation>
-        </message>
-        <message>
-            <source>No skeleton yet</source>
-            <translation>Noch kein Skelett</translation>
-        </message>
-        <message>
-            <source>Choose a bone</source>
-            <translation>Wählen Sie einen Knochen</translation>
-        </message>
-        <message>
-            <source>–</source>
-            <translation>–</translation>
-        </message>
-        <message>
-            <source>Click a bone in the view, or choose one here.</source>
-            <translation>Klicken Sie in der Ansicht auf einen Knochen oder wählen Sie hier einen.</translation>
-        </message>
-        <message>
-            <source>No sensor is worn here: it follows its parent.</source>
-            <translation>Hier wird kein Sensor getragen: Er folgt seinem Elternknochen.</translation>
-        </message>
-        <message>
-            <source>Rotations can be keyed once the take is solved.</source>
-            <translation>Drehungen lassen sich setzen, sobald der Take berechnet ist.</translation>
-        </message>
-        <message>
-            <source>About the vertical, which gravity cannot tell. Turning it sets a key at the playhead.</source>
-            <translation>Um die Senkrechte, die die Schwerkraft nicht verrät. Drehen setzt einen Schlüssel an der Abspielmarke.</translation>
-        </message>
-        <message>
-            <source>%1    %2°</source>
-            <translation>%1    %2°</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::CaptureModel</name>
-        <message>
-            <source>Rig %1</source>
-            <translation>Rig %1</translation>
-        </message>
-        <message>
-            <source>Looking for devices</source>
-            <translation>Sucht nach Geräten</translation>
-        </message>
-        <message>
-            <source>Marker %1</source>
-            <translation>Marke %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::CaptureWorkspace</name>
-        <message>
-            <source>Look again</source>
-            <translation>Erneut suchen</translation>
-        </message>
-        <message>
-            <source>Use the simulator</source>
-            <translation>Simulator benutzen</translation>
-        </message>
-        <message>
-            <source>Record, or stop recording</source>
-            <translation>Aufnehmen oder Aufnahme beenden</translation>
-        </message>
-        <message>
-            <source>Set a marker</source>
-            <translation>Marke setzen</translation>
-        </message>
-        <message>
-            <source>Look for devices again</source>
-            <translation>Erneut nach Geräten suchen</translation>
-        </message>
-        <message>
-            <source>Looking for devices</source>
-            <translation>Sucht nach Geräten</translation>
-        </message>
-        <message>
-            <source>Opening %1</source>
-            <translation>%1 wird geöffnet</translation>
-        </message>
-        <message>
-            <source>%1 cannot be opened</source>
-            <translation>%1 lässt sich nicht öffnen</translation>
-        </message>
-        <message>
-            <source>The sound system does not answer</source>
-            <translation>Das Soundsystem antwortet nicht</translation>
-        </message>
-        <message>
-            <source>Choose a device</source>
-            <translation>Wählen Sie ein Gerät</translation>
-        </message>
-        <message>
-            <source>Choose above the line input that the board is plugged into. Levels and signals show at once; nothing is recorded before you say so.</source>
-            <translation>Wählen Sie oben den Line-Eingang, in dem die Platine steckt. Pegel und Signale erscheinen sofort; aufgenommen wird erst, wenn Sie es sagen.</translation>
-        </message>
-        <message>
-            <source>No sound card with a stereo input was found</source>
-            <translation>Keine Soundkarte mit Stereoeingang gefunden</translation>
-        </message>
-        <message>
-            <source>Plug in a sound card with a stereo line input and look again. A microphone input is mono and does not do. Without hardware, the simulator is a device as well.</source>
-            <translation>Stecken Sie eine Soundkarte mit Stereo-Line-Eingang ein und suchen Sie erneut. Ein Mikrofoneingang ist mono und genügt nicht. Ohne Hardware dient auch der Simulator als Gerät.</translation>
-        </message>
-        <message>
-            <source>%1 is recorded: %2.</source>
-            <translation>%1 ist aufgenommen: %2.</translation>
-        </message>
-        <message>
-            <source>Solve it</source>
-            <translation>Berechnen</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::CurvesPanel</name>
-        <message>
-            <source>Inclination and trust of every sensor</source>
-            <translation>Neigung und Vertrauen jedes Sensors</translation>
-        </message>
-        <message>
-            <source>Elevation of the bone, −90° to 90°</source>
-            <translation>Erhebung des Knochens, −90° bis 90°</translation>
-        </message>
-        <message>
-            <source>Trust</source>
-            <translation>Vertrauen</translation>
-        </message>
-        <message>
-            <source>%1°</source>
-            <translation>%1°</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::ExportWorkspace</name>
-        <message>
-            <source>Go to Solve</source>
-            <translation>Zum Berechnen</translation>
-        </message>
-        <message>
-            <source>%1 frames a second</source>
-            <translation>%1 Bilder je Sekunde</translation>
-        </message>
-        <message>
-            <source>Another rate</source>
-            <translation>Andere Rate</translation>
-        </message>
-        <message>
-            <source> Hz</source>
-            <translation> Hz</translation>
-        </message>
-        <message>
-            <source>Frames a second</source>
-            <translation>Bilder je Sekunde</translation>
-        </message>
-        <message>
-            <source>Centimetres (most programs)</source>
-            <translation>Zentimeter (die meisten Programme)</translation>
-        </message>
-        <message>
-            <source>Metres (Blender's own)</source>
-            <translation>Meter (Blenders eigene)</translation>
-        </message>
-        <message>
-            <source>Choose…</source>
-            <translation>Wählen …</translation>
-        </message>
-        <message>
-            <source>Solve</source>
-            <translation>Berechnen</translation>
-        </message>
-        <message>
-            <source>Format</source>
-            <translation>Format</translation>
-        </message>
-        <message>
-            <source>Frame rate</source>
-            <translation>Bildrate</translation>
-        </message>
-        <message>
-            <source>Unit of length</source>
-            <translation>Längeneinheit</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Datei</translation>
-        </message>
-        <message>
-            <source>Show in folder</source>
-            <translation>Im Ordner zeigen</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>Ausgeben</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
-            <source>Write the file (Ctrl+E)</source>
-            <translation>Die Datei schreiben (Strg+E)</translation>
-        </message>
-        <message>
-            <source>No take is open</source>
-            <translation>Kein Take ist offen</translation>
-        </message>
-        <message>
-            <source>The take is being solved</source>
-            <translation>Der Take wird berechnet</translation>
-        </message>
-        <message>
-            <source>Nothing is solved yet</source>
-            <translation>Noch ist nichts berechnet</translation>
-        </message>
-        <message>
-            <source>Open or capture one first.</source>
-            <translation>Öffnen Sie erst einen oder nehmen Sie einen auf.</translation>
-        </message>
-        <message>
-            <source>It can be exported in a moment.</source>
-            <translation>Er lässt sich gleich ausgeben.</translation>
-        </message>
-        <message>
-            <source>Solve the take first.</source>
-            <translation>Berechnen Sie erst den Take.</translation>
-        </message>
-        <message>
-            <source>%1 (open, with your edits)</source>
-            <translation>%1 (offen, mit Ihren Änderungen)</translation>
-        </message>
-        <message>
-            <source>%1 frames, %2, %3 bones.</source>
-            <translation>%1 Bilder, %2, %3 Knochen.</translation>
-        </message>
-        <message>
-            <source> The file exists and will be replaced.</source>
-            <translation> Die Datei gibt es schon; sie wird ersetzt.</translation>
-        </message>
-        <message>
-            <source>Export to</source>
-            <translation>Ausgeben nach</translation>
-        </message>
-        <message>
-            <source>%1 (*%2)</source>
-            <translation>%1 (*%2)</translation>
-        </message>
-        <message>
-            <source>Exporting %1</source>
-            <translation>%1 wird ausgegeben</translation>
-        </message>
-        <message>
-            <source>Written and read back: %1</source>
-            <translation>Geschrieben und zurückgelesen: %1</translation>
-        </message>
-        <message>
-            <source>%1, %2 frames at %3 Hz, %4, %5 bones, in %6</source>
-            <translation>%1, %2 Bilder mit %3 Hz, %4, %5 Knochen, in %6</translation>
-        </message>
-        <message>
-            <source>Export cancelled.</source>
-            <translation>Ausgabe abgebrochen.</translation>
-        </message>
-        <message>
-            <source>No file was left behind.</source>
-            <translation>Es blieb keine Datei zurück.</translation>
-        </message>
-        <message>
-            <source>Not exported. %1</source>
-            <translation>Nicht ausgegeben. %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::JobBar</name>
-        <message>
-            <source>stopping</source>
-            <translation>hält an</translation>
-        </message>
-        <message>
-            <source>%1 left</source>
-            <translation>noch %1</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
-            <source>Cancel: %1</source>
-            <translation>Abbrechen: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::KeyEditor</name>
-        <message>
-            <source>set key of %1</source>
-            <translation>Schlüssel von %1 setzen</translation>
-        </message>
-        <message>
-            <source>change key of %1</source>
-            <translation>Schlüssel von %1 ändern</translation>
-        </message>
-        <message numerus="yes">
-            <source>move %n key(s)</source>
-            <translation>
-                <numerusform>%n Schlüssel verschieben</numerusform>
-                <numerusform>%n Schlüssel verschieben</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>turn %n key(s)</source>
-            <translation>
-                <numerusform>%n Schlüssel drehen</numerusform>
-                <numerusform>%n Schlüssel drehen</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>delete %n key(s)</source>
-            <translation>
-                <numerusform>%n Schlüssel löschen</numerusform>
-                <numerusform>%n Schlüssel löschen</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::LevelMeter</name>
-        <message>
-            <source>clips</source>
-            <translation>übersteuert</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::LevelPanel</name>
-        <message>
-            <source>Level</source>
-            <translation>Pegel</translation>
-        </message>
-        <message>
-            <source>Left: accelerations</source>
-            <translation>Links: Beschleunigungen</translation>
-        </message>
-        <message>
-            <source>Right: clock</source>
-            <translation>Rechts: Takt</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::LiveModel</name>
-        <message>
-            <source>Opening %1</source>
-            <translation>%1 wird geöffnet</translation>
-        </message>
-        <message>
-            <source>Closing %1</source>
-            <translation>%1 wird geschlossen</translation>
-        </message>
-        <message>
-            <source>%1 has stopped sending.</source>
-            <translation>%1 sendet nicht mehr.</translation>
-        </message>
-        <message>
-            <source>Plug it in again, then choose it once more. What was recorded until now is kept.</source>
-            <translation>Stecken Sie es wieder ein und wählen Sie es noch einmal. Was bis jetzt aufgenommen wurde, bleibt erhalten.</translation>
-        </message>
-        <message>
-            <source>Making the take</source>
-            <translation>Take wird angelegt</translation>
-        </message>
-        <message>
-            <source>Closing the take</source>
-            <translation>Take wird geschlossen</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::MainWindow</name>
-        <message>
-            <source>Recent takes</source>
-            <translation>Letzte Takes</translation>
-        </message>
-        <message>
-            <source>Inspector</source>
-            <translation>Inspektor</translation>
-        </message>
-        <message>
-            <source>Timeline</source>
-            <translation>Zeitleiste</translation>
-        </message>
-        <message>
-            <source>New take</source>
-            <translation>Neuer Take</translation>
-        </message>
-        <message>
-            <source>Open take…</source>
-            <translation>Take öffnen …</translation>
-        </message>
-        <message>
-            <source>Import recording…</source>
-            <translation>Aufnahme einlesen …</translation>
-        </message>
-        <message>
-            <source>Close take</source>
-            <translation>Take schließen</translation>
-        </message>
-        <message>
-            <source>Undo</source>
-            <translation>Rückgängig</translation>
-        </message>
-        <message>
-            <source>Redo</source>
-            <translation>Wiederholen</translation>
-        </message>
-        <message>
-            <source>Light colours</source>
-            <translation>Helle Farben</translation>
-        </message>
-        <message>
-            <source>Full screen</source>
-            <translation>Vollbild</translation>
-        </message>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Tastenkürzel</translation>
-        </message>
-        <message>
-            <source>Quit</source>
-            <translation>Beenden</translation>
-        </message>
-        <message>
-            <source>%1 – %2</source>
-            <translation>%1 – %2</translation>
-        </message>
-        <message>
-            <source>● Recording – %1</source>
-            <translation>● Aufnahme – %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::MarkerPanel</name>
-        <message>
-            <source>Markers</source>
-            <translation>Marken</translation>
-        </message>
-        <message>
-            <source>Set marker</source>
-            <translation>Marke setzen</translation>
-        </message>
-        <message>
-            <source>Press M while recording.</source>
-            <translation>Drücken Sie M während der Aufnahme.</translation>
-        </message>
-        <message>
-            <source>Set a marker at this moment of the recording (M)</source>
-            <translation>An dieser Stelle der Aufnahme eine Marke setzen (M)</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::MessageBar</name>
-        <message>
-            <source>Dismiss</source>
-            <translation>Ausblenden</translation>
-        </message>
-        <message>
-            <source>%1 more</source>
-            <translation>%1 weitere</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::ModeBar</name>
-        <message>
-            <source>Workspaces</source>
-            <translation>Arbeitsbereiche</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Start</translation>
-        </message>
-        <message>
-            <source>The welcome page: demo takes, recent takes</source>
-            <translation>Die Startseite: Demo-Takes, letzte Takes</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::OverviewPanel</name>
-        <message>
-            <source>Reading %1</source>
-            <translation>%1 wird gelesen</translation>
-        </message>
-        <message>
-            <source>The signal cannot be shown</source>
-            <translation>Das Signal lässt sich nicht zeigen</translation>
-        </message>
-        <message>
-            <source>What is being recorded</source>
-            <translation>Was gerade aufgenommen wird</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::OverviewView</name>
-        <message>
-            <source>Recorded signal</source>
-            <translation>Aufgenommenes Signal</translation>
-        </message>
-        <message>
-            <source>Wheel: zoom. Drag: move. Double click: show all.</source>
-            <translation>Rad: vergrößern. Ziehen: verschieben. Doppelklick: alles zeigen.</translation>
-        </message>
-        <message>
-            <source>The take is empty.</source>
-            <translation>Der Take ist leer.</translation>
-        </message>
-        <message>
-            <source>Reading the signal…</source>
-            <translation>Das Signal wird gelesen …</translation>
-        </message>
-        <message>
-            <source> s</source>
-            <translation> s</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::QualityCard</name>
-        <message>
-            <source>Quality</source>
-            <translation>Güte</translation>
-        </message>
-        <message>
-            <source>Numbers appear here once the take is solved.</source>
-            <translation>Hier erscheinen Zahlen, sobald der Take berechnet ist.</translation>
-        </message>
-        <message>
-            <source>Sensor</source>
-            <translation>Sensor</translation>
-        </message>
-        <message>
-            <source>usable</source>
-            <translation>brauchbar</translation>
-        </message>
-        <message>
-            <source>trusted</source>
-            <translation>vertraut</translation>
-        </message>
-        <message>
-            <source>at rest</source>
-            <translation>in Ruhe</translation>
-        </message>
-        <message>
-            <source>%1 g</source>
-            <translation>%1 g</translation>
-        </message>
-        <message>
-            <source>–</source>
-            <translation>–</translation>
-        </message>
-        <message numerus="yes">
-            <source>and %n more finding(s)</source>
-            <translation>
-                <numerusform>und %n weiterer Befund</numerusform>
-                <numerusform>und %n weitere Befunde</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 of take; decoded in %2 s, solved in %3 s</source>
-            <translation>%1 Take; dekodiert in %2 s, berechnet in %3 s</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::RecordPanel</name>
-        <message>
-            <source>Recorded time</source>
-            <translation>Aufgenommene Zeit</translation>
-        </message>
-        <message>
-            <source>Subject</source>
-            <translation>Person</translation>
-        </message>
-        <message>
-            <source>Who wears the sensors</source>
-            <translation>Wer die Sensoren trägt</translation>
-        </message>
-        <message>
-            <source>Name of the take</source>
-            <translation>Name des Takes</translation>
-        </message>
-        <message>
-            <source>Take</source>
-            <translation>Take</translation>
-        </message>
-        <message>
-            <source>Choose the folder for takes</source>
-            <translation>Ordner für Takes wählen</translation>
-        </message>
-        <message>
-            <source>Folder for takes</source>
-            <translation>Ordner für Takes</translation>
-        </message>
-        <message>
-            <source>Stop</source>
-            <translation>Stopp</translation>
-        </message>
-        <message>
-            <source>Record</source>
-            <translation>Aufnehmen</translation>
-        </message>
-        <message>
-            <source>Stop recording</source>
-            <translation>Aufnahme beenden</translation>
-        </message>
-        <message>
-            <source>Stop recording and close the take (R)</source>
-            <translation>Aufnahme beenden und den Take schließen (R)</translation>
-        </message>
-        <message>
-            <source>Record a new take (R)</source>
-            <translation>Einen neuen Take aufnehmen (R)</translation>
-        </message>
-        <message>
-            <source>Choose a device first</source>
-            <translation>Wählen Sie erst ein Gerät</translation>
-        </message>
-        <message>
-            <source>Recording, but samples are being lost</source>
-            <translation>Aufnahme läuft, aber Werte gehen verloren</translation>
-        </message>
-        <message>
-            <source>Recording</source>
-            <translation>Aufnahme läuft</translation>
-        </message>
-        <message>
-            <source>Closing the take</source>
-            <translation>Take wird geschlossen</translation>
-        </message>
-        <message>
-            <source>Making the take</source>
-            <translation>Take wird angelegt</translation>
-        </message>
-        <message>
-            <source>Ready</source>
-            <translation>Bereit</translation>
-        </message>
-        <message>
-            <source>Opening the device</source>
-            <translation>Gerät wird geöffnet</translation>
-        </message>
-        <message>
-            <source>Not ready</source>
-            <translation>Nicht bereit</translation>
-        </message>
-        <message>
-            <source>No device</source>
-            <translation>Kein Gerät</translation>
-        </message>
-        <message>
-            <source>disk: %1</source>
-            <translation>Platte: %1</translation>
-        </message>
-        <message>
-            <source>How long recording lasts until the disk is full</source>
-            <translation>Wie lange aufgenommen werden kann, bis die Platte voll ist</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::ScopeView</name>
-        <message>
-            <source>Scope of both channels</source>
-            <translation>Oszilloskop beider Kanäle</translation>
-        </message>
-        <message>
-            <source>ref</source>
-            <translation>Ref</translation>
-        </message>
-        <message>
-            <source>full height ±%1 of full scale</source>
-            <translation>volle Höhe ±%1 der Aussteuerung</translation>
-        </message>
-        <message>
-            <source>Right channel: accelerations (swapped)</source>
-            <translation>Rechter Kanal: Beschleunigungen (vertauscht)</translation>
-        </message>
-        <message>
-            <source>Left channel: accelerations</source>
-            <translation>Linker Kanal: Beschleunigungen</translation>
-        </message>
-        <message>
-            <source>Left channel: clock (swapped)</source>
-            <translation>Linker Kanal: Takt (vertauscht)</translation>
-        </message>
-        <message>
-            <source>Right channel: clock</source>
-            <translation>Rechter Kanal: Takt</translation>
-        </message>
-        <message>
-            <source>not in step with the board: the picture runs free, slots are not known</source>
-            <translation>nicht im Takt mit der Platine: Das Bild läuft frei, die Fächer sind unbekannt</translation>
-        </message>
-        <message>
-            <source>no signal</source>
-            <translation>kein Signal</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::SensorStrips</name>
-        <message>
-            <source>Accelerations and health of every sensor</source>
-            <translation>Beschleunigungen und Zustand jedes Sensors</translation>
-        </message>
-        <message>
-            <source>x axis, m/s²</source>
-            <translation>x-Achse, m/s²</translation>
-        </message>
-        <message>
-            <source>y axis, m/s²</source>
-            <translation>y-Achse, m/s²</translation>
-        </message>
-        <message>
-            <source>z axis, m/s²</source>
-            <translation>z-Achse, m/s²</translation>
-        </message>
-        <message>
-            <source>−10 s</source>
-            <translation>−10 s</translation>
-        </message>
-        <message>
-            <source>now</source>
-            <translation>jetzt</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::SettingsCard</name>
-        <message>
-            <source>Solving</source>
-            <translation>Berechnung</translation>
-        </message>
-        <message>
-            <source>Smoothing</source>
-            <translation>Glättung</translation>
-        </message>
-        <message>
-            <source> ms</source>
-            <translation> ms</translation>
-        </message>
-        <message>
-            <source>Time scale of the smoothing in milliseconds</source>
-            <translation>Zeitmaß der Glättung in Millisekunden</translation>
-        </message>
-        <message>
-            <source>Calibration</source>
-            <translation>Kalibrierung</translation>
-        </message>
-        <message>
-            <source>Best there is</source>
-            <translation>Beste vorhandene</translation>
-        </message>
-        <message>
-            <source>Of the take</source>
-            <translation>Aus dem Take</translation>
-        </message>
-        <message>
-            <source>Poses in the take</source>
-            <translation>Haltungen im Take</translation>
-        </message>
-        <message>
-            <source>Library</source>
-            <translation>Bibliothek</translation>
-        </message>
-        <message>
-            <source>Data sheet</source>
-            <translation>Datenblatt</translation>
-        </message>
-        <message>
-            <source>Strength</source>
-            <translation>Stärke</translation>
-        </message>
-        <message>
-            <source>Solve</source>
-            <translation>Berechnen</translation>
-        </message>
-        <message>
-            <source>change smoothing</source>
-            <translation>Glättung ändern</translation>
-        </message>
-        <message>
-            <source>change calibration</source>
-            <translation>Kalibrierung ändern</translation>
-        </message>
-        <message>
-            <source>change strength of smoothing</source>
-            <translation>Stärke der Glättung ändern</translation>
-        </message>
-        <message>
-            <source>Cancel solving</source>
-            <translation>Berechnung abbrechen</translation>
-        </message>
-        <message>
-            <source>Solve again</source>
-            <translation>Neu berechnen</translation>
-        </message>
-        <message>
-            <source>Used: %1</source>
-            <translation>Benutzt: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::ShortcutSheet</name>
-        <message>
-            <source>Everywhere</source>
-            <translation>Überall</translation>
-        </message>
-        <message>
-            <source>Go to a workspace</source>
-            <translation>Zu einem Arbeitsbereich</translation>
-        </message>
-        <message>
-            <source>New take</source>
-            <translation>Neuer Take</translation>
-        </message>
-        <message>
-            <source>Open a take</source>
-            <translation>Take öffnen</translation>
-        </message>
-        <message>
-            <source>Import recordings</source>
-            <translation>Aufnahmen einlesen</translation>
-        </message>
-        <message>
-            <source>Undo</source>
-            <translation>Rückgängig</translation>
-        </message>
-        <message>
-            <source>Redo</source>
-            <translation>Wiederholen</translation>
-        </message>
-        <message>
-            <source>Full screen</source>
-            <translation>Vollbild</translation>
-        </message>
-        <message>
-            <source>This sheet</source>
-            <translation>Diese Übersicht</translation>
-        </message>
-        <message>
-            <source>Timeline</source>
-            <translation>Zeitleiste</translation>
-        </message>
-        <message>
-            <source>Keyboard shortcuts</source>
-            <translation>Tastenkürzel</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::SolveModel</name>
-        <message>
-            <source>Reading the solve</source>
-            <translation>Berechnung wird gelesen</translation>
-        </message>
-        <message>
-            <source>Solving %1</source>
-            <translation>%1 wird berechnet</translation>
-        </message>
-        <message>
-            <source>The saved solve could not be read; solving again.</source>
-            <translation>Die gespeicherte Berechnung war nicht lesbar; es wird neu berechnet.</translation>
-        </message>
-        <message>
-            <source>Solving was cancelled</source>
-            <translation>Die Berechnung wurde abgebrochen</translation>
-        </message>
-        <message>
-            <source>The solve could not be saved in the take.</source>
-            <translation>Die Berechnung ließ sich nicht im Take speichern.</translation>
-        </message>
-        <message>
-            <source>The solve could not be compared with the truth.</source>
-            <translation>Die Berechnung ließ sich nicht mit der Wahrheit vergleichen.</translation>
-        </message>
-        <message>
-            <source>change length of %1</source>
-            <translation>Länge von %1 ändern</translation>
-        </message>
-        <message>
-            <source>Saving the solve</source>
-            <translation>Berechnung wird gespeichert</translation>
-        </message>
-        <message>
-            <source>Your edits could not be saved in the take.</source>
-            <translation>Ihre Änderungen ließen sich nicht im Take speichern.</translation>
-        </message>
-        <message>
-            <source>Comparing with the truth</source>
-            <translation>Vergleich mit der Wahrheit</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::SolveWorkspace</name>
-        <message>
-            <source>Capture a take</source>
-            <translation>Einen Take aufnehmen</translation>
-        </message>
-        <message>
-            <source>Progress of solving</source>
-            <translation>Fortschritt der Berechnung</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
-            <source>Live</source>
-            <translation>Live</translation>
-        </message>
-        <message>
-            <source>Show what is being captured instead of the take</source>
-            <translation>Zeigt statt des Takes, was gerade aufgenommen wird</translation>
-        </message>
-        <message>
-            <source>Look from this side (%1)</source>
-            <translation>Von dieser Seite sehen (%1)</translation>
-        </message>
-        <message>
-            <source>Front</source>
-            <translation>Vorn</translation>
-        </message>
-        <message>
-            <source>Shift+F</source>
-            <translation>Umschalt+F</translation>
-        </message>
-        <message>
-            <source>Side</source>
-            <translation>Seite</translation>
-        </message>
-        <message>
-            <source>Shift+S</source>
-            <translation>Umschalt+S</translation>
-        </message>
-        <message>
-            <source>Top</source>
-            <translation>Oben</translation>
-        </message>
-        <message>
-            <source>Shift+T</source>
-            <translation>Umschalt+T</translation>
-        </message>
-        <message>
-            <source>Frame the selection (F)</source>
-            <translation>Auswahl ins Bild holen (F)</translation>
-        </message>
-        <message>
-            <source>Show the floor</source>
-            <translation>Boden zeigen</translation>
-        </message>
-        <message>
-            <source>Show the sensors</source>
-            <translation>Sensoren zeigen</translation>
-        </message>
-        <message>
-            <source>Show the truth of this simulated take</source>
-            <translation>Die Wahrheit dieses simulierten Takes zeigen</translation>
-        </message>
-        <message>
-            <source>Live from %1</source>
-            <translation>Live von %1</translation>
-        </message>
-        <message>
-            <source>Live from %1, capture to screen %2 ms mean, %3 ms at most</source>
-            <translation>Live von %1, vom Sensor zum Bildschirm %2 ms im Mittel, höchstens %3 ms</translation>
-        </message>
-        <message>
-            <source>No take is open</source>
-            <translation>Kein Take ist offen</translation>
-        </message>
-        <message>
-            <source>Capture one, open one, or try a demo from the first page.</source>
-            <translation>Nehmen Sie einen auf, öffnen Sie einen oder probieren Sie eine Demo von der Startseite.</translation>
-        </message>
-        <message>
-            <source>This take could not be solved</source>
-            <translation>Dieser Take ließ sich nicht berechnen</translation>
-        </message>
-        <message>
-            <source>Try again</source>
-            <translation>Noch einmal</translation>
-        </message>
-        <message>
-            <source>Reading the solve…</source>
-            <translation>Berechnung wird gelesen …</translation>
-        </message>
-        <message>
-            <source>Solving…</source>
-            <translation>Wird berechnet …</translation>
-        </message>
-        <message>
-            <source>Solving… %1</source>
-            <translation>Wird berechnet … %1</translation>
-        </message>
-        <message>
-            <source>Solving… %1, %2 left</source>
-            <translation>Wird berechnet … %1, noch %2</translation>
-        </message>
-        <message>
-            <source>%1: %2 of motion, %3 frames at %4 Hz, %5 smoothing</source>
-            <translation>%1: %2 Bewegung, %3 Bilder mit %4 Hz, Glättung: %5</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::SourceBar</name>
-        <message>
-            <source>Look for devices again</source>
-            <translation>Erneut nach Geräten suchen</translation>
-        </message>
-        <message>
-            <source>&amp;Device</source>
-            <translation>&amp;Gerät</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Gerät</translation>
-        </message>
-        <message>
-            <source>Where the signal comes from: a sound card's line input, or the simulator</source>
-            <translation>Woher das Signal kommt: der Line-Eingang einer Soundkarte oder der Simulator</translation>
-        </message>
-        <message>
-            <source>R&amp;ig</source>
-            <translation>R&amp;ig</translation>
-        </message>
-        <message>
-            <source>Rig</source>
-            <translation>Rig</translation>
-        </message>
-        <message>
-            <source>What is worn where</source>
-            <translation>Was wo getragen wird</translation>
-        </message>
-        <message>
-            <source>Looking for devices…</source>
-            <translation>Sucht nach Geräten …</translation>
-        </message>
-        <message>
-            <source>Choose a device</source>
-            <translation>Wählen Sie ein Gerät</translation>
-        </message>
-        <message>
-            <source>%1, %2 bit</source>
-            <translation>%1, %2 Bit</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::StatusStrip</name>
-        <message>
-            <source>The open take: new, open, import, recent</source>
-            <translation>Der offene Take: neu, öffnen, einlesen, letzte</translation>
-        </message>
-        <message>
-            <source>Menu</source>
-            <translation>Menü</translation>
-        </message>
-        <message>
-            <source>No take</source>
-            <translation>Kein Take</translation>
-        </message>
-        <message>
-            <source>Take: %1</source>
-            <translation>Take: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::StudioContext</name>
-        <message>
-            <source>%1 cannot be opened</source>
-            <translation>%1 lässt sich nicht öffnen</translation>
-        </message>
-        <message>
-            <source>The recording failed. %1</source>
-            <translation>Die Aufnahme ist gescheitert. %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::TakeActions</name>
-        <message>
-            <source>Open a take (a folder that ends in .take)</source>
-            <translation>Einen Take öffnen (ein Ordner, der auf .take endet)</translation>
-        </message>
-        <message>
-            <source>Import recordings of a sound recorder</source>
-            <translation>Aufnahmen eines Tonrekorders einlesen</translation>
-        </message>
-        <message>
-            <source>Recordings (*.wav *.w64 *.rf64 *.flac *.aiff *.aif *.ogg *.mp3);;All files (*)</source>
-            <translation>Aufnahmen (*.wav *.w64 *.rf64 *.flac *.aiff *.aif *.ogg *.mp3);;Alle Dateien (*)</translation>
-        </message>
-        <message>
-            <source>A take is being recorded.</source>
-            <translation>Ein Take wird aufgenommen.</translation>
-        </message>
-        <message>
-            <source>Stop the recording before another take is opened.</source>
-            <translation>Beenden Sie die Aufnahme, bevor ein anderer Take geöffnet wird.</translation>
-        </message>
-        <message>
-            <source>Importing %1</source>
-            <translation>%1 wird eingelesen</translation>
-        </message>
-        <message>
-            <source>Making the demo take “%1”</source>
-            <translation>Demo-Take „%1“ wird erzeugt</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::TakeDocument</name>
-        <message>
-            <source>Opening %1</source>
-            <translation>%1 wird geöffnet</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::TimelineCanvas</name>
-        <message>
-            <source>Timeline</source>
-            <translation>Zeitleiste</translation>
-        </message>
-        <message>
-            <source>%1: %2° at %3 s</source>
-            <translation>%1: %2° bei %3 s</translation>
-        </message>
-        <message>
-            <source>%1 at %2 s</source>
-            <translation>%1 bei %2 s</translation>
-        </message>
-        <message>
-            <source>%1: double-click sets a key</source>
-            <translation>%1: Doppelklick setzt einen Schlüssel</translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>Ereignisse</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::TimelineWidget</name>
-        <message>
-            <source>Go to the start</source>
-            <translation>Zum Anfang</translation>
-        </message>
-        <message>
-            <source>Home</source>
-            <translation>Pos1</translation>
-        </message>
-        <message>
-            <source>One frame back</source>
-            <translation>Ein Bild zurück</translation>
-        </message>
-        <message>
-            <source>Left</source>
-            <translation>Links</translation>
-        </message>
-        <message>
-            <source>Play</source>
-            <translation>Abspielen</translation>
-        </message>
-        <message>
-            <source>Space</source>
-            <translation>Leertaste</translation>
-        </message>
-        <message>
-            <source>One frame on</source>
-            <translation>Ein Bild vor</translation>
-        </message>
-        <message>
-            <source>Right</source>
-            <translation>Rechts</translation>
-        </message>
-        <message>
-            <source>Go to the end</source>
-            <translation>Zum Ende</translation>
-        </message>
-        <message>
-            <source>End</source>
-            <translation>Ende</translation>
-        </message>
-        <message>
-            <source>Loop</source>
-            <translation>Schleife</translation>
-        </message>
-        <message>
-            <source>Playing speed</source>
-            <translation>Abspielgeschwindigkeit</translation>
-        </message>
-        <message>
-            <source>%1×</source>
-            <translation>%1×</translation>
-        </message>
-        <message>
-            <source>Playhead</source>
-            <translation>Abspielmarke</translation>
-        </message>
-        <message>
-            <source>Set a key for the selected bone at the playhead</source>
-            <translation>Schlüssel für den gewählten Knochen an der Abspielmarke setzen</translation>
-        </message>
-        <message>
-            <source>I</source>
-            <translation>I</translation>
-        </message>
-        <message>
-            <source>Delete the selected keys</source>
-            <translation>Die gewählten Schlüssel löschen</translation>
-        </message>
-        <message>
-            <source>Del</source>
-            <translation>Entf</translation>
-        </message>
-        <message>
-            <source>Show the whole clip</source>
-            <translation>Den ganzen Clip zeigen</translation>
-        </message>
-        <message>
-            <source>Shift+Home</source>
-            <translation>Umschalt+Pos1</translation>
-        </message>
-        <message>
-            <source>%1 (Space)</source>
-            <translation>%1 (Leertaste)</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>Anhalten</translation>
-        </message>
-        <message>
-            <source>–</source>
-            <translation>–</translation>
-        </message>
-        <message>
-            <source>/ %1   frame %2 of %3</source>
-            <translation>/ %1   Bild %2 von %3</translation>
-        </message>
-        <message>
-            <source>nothing to play yet</source>
-            <translation>noch nichts abzuspielen</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::TruthCard</name>
-        <message>
-            <source>Against the truth</source>
-            <translation>Gegen die Wahrheit</translation>
-        </message>
-        <message>
-            <source>Inclination error %1</source>
-            <translation>Neigungsfehler %1</translation>
-        </message>
-        <message>
-            <source>Bone</source>
-            <translation>Knochen</translation>
-        </message>
-        <message>
-            <source>mean</source>
-            <translation>Mittel</translation>
-        </message>
-        <message>
-            <source>max</source>
-            <translation>Max.</translation>
-        </message>
-        <message>
-            <source>position</source>
-            <translation>Ort</translation>
-        </message>
-        <message>
-            <source>%1°</source>
-            <translation>%1°</translation>
-        </message>
-        <message>
-            <source>%1 mm</source>
-            <translation>%1 mm</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::ViewerWidget</name>
-        <message>
-            <source>Viewer</source>
-            <translation>Ansicht</translation>
-        </message>
-        <message>
-            <source>Shows the skeleton in three dimensions.</source>
-            <translation>Zeigt das Skelett in drei Dimensionen.</translation>
-        </message>
-        <message>
-            <source>&lt;p&gt;&lt;b&gt;No picture: this computer offers no OpenGL 3.2.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Everything else works: solve, edit keys and export as usual. To see the figure, install the graphics driver or Mesa (on Debian: libgl1-mesa-dri) and start again.&lt;/p&gt;</source>
-            <translation>&lt;p&gt;&lt;b&gt;Kein Bild: Dieser Rechner bietet kein OpenGL 3.2.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Alles andere geht: Berechnen, bearbeiten und geben Sie aus wie gewohnt. Um die Figur zu sehen, installieren Sie den Grafiktreiber oder Mesa (unter Debian: libgl1-mesa-dri) und starten Sie neu.&lt;/p&gt;</translation>
-        </message>
-    </context>
-    <context>
-        <name>limbwave::ui::WelcomePage</name>
-        <message>
-            <source>Records what low-cost sensors on a body feel and turns it into animation for Blender, Maya and game engines.</source>
-            <translation>Nimmt auf, was preiswerte Sensoren am Körper spüren, und macht daraus Animation für Blender, Maya und Spiel-Engines.</translation>
-        </message>
-        <message>
-            <source>New take</source>
-            <translation>Neuer Take</translation>
-        </message>
-        <message>
-            <source>Choose a device and record</source>
-            <translation>Gerät wählen und aufnehmen</translation>
-        </message>
-        <message>
-            <source>Import recording</source>
-            <translation>Aufnahme einlesen</translation>
-        </message>
-        <message>
-            <source>WAV, FLAC or MP3 files of a sound recorder that was worn</source>
-            <translation>WAV-, FLAC- oder MP3-Dateien eines getragenen Tonrekorders</translation>
-        </message>
-        <message>
-            <source>Open take</source>
-            <translation>Take öffnen</translation>
-        </message>
-        <message>
-            <source>A folder that ends in .take</source>
-            <translation>Ein Ordner, der auf .take endet</translation>
-        </message>
-        <message>
-            <source>or drop recordings and takes anywhere on this window</source>
-            <translation>oder ziehen Sie Aufnahmen und Takes auf dieses Fenster</translation>
-        </message>
-        <message>
-            <source>Recent takes</source>
-            <translation>Letzte Takes</translation>
-        </message>
-        <message>
-            <source>Try it without hardware</source>
-            <translation>Ohne Hardware ausprobieren</translation>
-        </message>
-    </context>
-    <context>
-        <name>main</name>
-        <message>
-            <source>Records wearable motion sensors and turns them into animation.</source>
-            <translation>Nimmt am Körper getragene Bewegungssensoren auf und macht daraus Animation.</translation>
-        </message>
-        <message>
-            <source>Open a demo take of the simulator.</source>
-            <translation>Einen Demo-Take des Simulators öffnen.</translation>
-        </message>
-        <message>
-            <source>Colours: dark or light.</source>
-            <translation>Farben: dark (dunkel) oder light (hell).</translation>
-        </message>
-        <message>
-            <source>Write pictures of the solved TAKE into this folder and end; needs no display.</source>
-            <translation>Bilder des berechneten TAKE in diesen Ordner schreiben und enden; braucht keinen Bildschirm.</translation>
-        </message>
-        <message>
-            <source>Take folder to open, or recordings to import.</source>
-            <translation>Take-Ordner zum Öffnen oder Aufnahmen zum Einlesen.</translation>
-        </message>
-    </context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Usable</source>
+        <translation>Brauchbar</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Not calibrated</source>
+        <translation>Nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>data sheet values, up to 10 % off</source>
+        <translation>Werte aus dem Datenblatt, bis zu 10 % daneben</translation>
+    </message>
+    <message>
+        <source>taken to sit as the rig shows it</source>
+        <translation>so angenommen, wie das Rig es zeigt</translation>
+    </message>
+    <message>
+        <source>%1 mg</source>
+        <translation>%1 mg</translation>
+    </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>%1 and %2 up</source>
+        <translation>%1 und %2 nach oben</translation>
+    </message>
+    <message>
+        <source>corner %1 up</source>
+        <translation>Ecke %1 nach oben</translation>
+    </message>
+    <message>
+        <source>1 sensor</source>
+        <translation>1 Sensor</translation>
+    </message>
+    <message>
+        <source>%1 sensors</source>
+        <translation>%1 Sensoren</translation>
+    </message>
+    <message>
+        <source>1 calibration</source>
+        <translation>1 Kalibrierung</translation>
+    </message>
+    <message>
+        <source>%1 calibrations</source>
+        <translation>%1 Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>extremes</source>
+        <translation>Extremwerte</translation>
+    </message>
+    <message>
+        <source>ellipsoid</source>
+        <translation>Ellipsoid</translation>
+    </message>
+    <message>
+        <source>two poses</source>
+        <translation>zwei Posen</translation>
+    </message>
+</context>
+<context>
+    <name>Core</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>inverted</source>
+        <translation>invertiert</translation>
+    </message>
+    <message>
+        <source>louder</source>
+        <translation>lauter</translation>
+    </message>
+    <message>
+        <source>quieter</source>
+        <translation>leiser</translation>
+    </message>
+    <message>
+        <source>importing</source>
+        <translation>wird importiert</translation>
+    </message>
+    <message>
+        <source>preparing the motion</source>
+        <translation>Bewegung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>writing the truth</source>
+        <translation>Wahrheit wird geschrieben</translation>
+    </message>
+    <message>
+        <source>closing the take</source>
+        <translation>Take wird geschlossen</translation>
+    </message>
+    <message>
+        <source>decoding</source>
+        <translation>wird dekodiert</translation>
+    </message>
+    <message>
+        <source>calibrating</source>
+        <translation>wird kalibriert</translation>
+    </message>
+    <message>
+        <source>estimating</source>
+        <translation>wird geschätzt</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>wird geschrieben</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>wird geprüft</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>eine Datei angeben</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>den Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>is too large (%1 bytes)</source>
+        <translation>ist zu groß (%1 Bytes)</translation>
+    </message>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>prüfen, ob es die richtige Datei ist</translation>
+    </message>
+    <message>
+        <source>is too large</source>
+        <translation>ist zu groß</translation>
+    </message>
+    <message>
+        <source>reading failed half-way</source>
+        <translation>das Lesen brach mittendrin ab</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>den Datenträger prüfen</translation>
+    </message>
+    <message>
+        <source>check that the folder exists, that you may write there and that the disk has room</source>
+        <translation>prüfen, ob es den Ordner gibt, ob Sie dort schreiben dürfen und ob auf dem Datenträger Platz ist</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>writing failed</source>
+        <translation>das Schreiben schlug fehl</translation>
+    </message>
+    <message>
+        <source>is nested deeper than %1 levels</source>
+        <translation>ist tiefer als %1 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>correct it there</source>
+        <translation>dort berichtigen</translation>
+    </message>
+    <message>
+        <source>is not valid JSON: it holds a number that is too large</source>
+        <translation>ist kein gültiges JSON: eine Zahl darin ist zu groß</translation>
+    </message>
+    <message>
+        <source>top level</source>
+        <translation>oberste Ebene</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>is not a known key</source>
+        <translation>ist kein bekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>known here: %1</source>
+        <translation>hier bekannt: %1</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is not a list</source>
+        <translation>ist keine Liste</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, outside %2 to %3</source>
+        <translation>ist %1, außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>is not a whole number</source>
+        <translation>ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>is not true or false</source>
+        <translation>ist weder wahr noch falsch</translation>
+    </message>
+    <message>
+        <source>is not a text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>has %1 values instead of %2</source>
+        <translation>hat %1 Werte statt %2</translation>
+    </message>
+    <message>
+        <source>give a WAV, W64, RF64, FLAC or AIFF file</source>
+        <translation>eine Datei im Format WAV, W64, RF64, FLAC oder AIFF angeben</translation>
+    </message>
+    <message>
+        <source>20-bit samples were stored in 24 bits, exactly</source>
+        <translation>20-Bit-Abtastwerte wurden verlustfrei in 24 Bit abgelegt</translation>
+    </message>
+    <message>
+        <source>64-bit float samples were rounded to 32-bit floats</source>
+        <translation>64-Bit-Gleitkommawerte wurden auf 32 Bit gerundet</translation>
+    </message>
+    <message>
+        <source>8-bit samples were stored in 16 bits, exactly; 8 bits are coarse: record 16 or more</source>
+        <translation>8-Bit-Abtastwerte wurden verlustfrei in 16 Bit abgelegt; 8 Bit sind grob: mit 16 oder mehr aufnehmen</translation>
+    </message>
+    <message>
+        <source>samples were decompressed to 32-bit floats</source>
+        <translation>die Abtastwerte wurden in 32-Bit-Gleitkommawerte entpackt</translation>
+    </message>
+    <message>
+        <source>samples were decompressed to 16 bits</source>
+        <translation>die Abtastwerte wurden in 16 Bit entpackt</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is a folder, not a recording</source>
+        <translation>ist ein Ordner, keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>is not a file that can be read twice</source>
+        <translation>ist keine Datei, die man zweimal lesen kann</translation>
+    </message>
+    <message>
+        <source>is empty (0 bytes)</source>
+        <translation>ist leer (0 Bytes)</translation>
+    </message>
+    <message>
+        <source>copy it again from the recorder</source>
+        <translation>noch einmal vom Rekorder kopieren</translation>
+    </message>
+    <message>
+        <source>the header says that there are no channels</source>
+        <translation>laut Dateikopf gibt es keine Kanäle</translation>
+    </message>
+    <message>
+        <source>the recording has one channel</source>
+        <translation>die Aufzeichnung hat einen Kanal</translation>
+    </message>
+    <message>
+        <source>record in stereo</source>
+        <translation>in Stereo aufnehmen</translation>
+    </message>
+    <message>
+        <source>the recording has %1 channels</source>
+        <translation>die Aufzeichnung hat %1 Kanäle</translation>
+    </message>
+    <message>
+        <source>record %1 channels</source>
+        <translation>%1 Kanäle aufnehmen</translation>
+    </message>
+    <message>
+        <source>the header says %1 samples per second</source>
+        <translation>der Dateikopf nennt %1 Abtastwerte pro Sekunde</translation>
+    </message>
+    <message>
+        <source>record at 44100 to 192000; %1 to %2 can be read</source>
+        <translation>mit 44100 bis 192000 aufnehmen; %1 bis %2 sind lesbar</translation>
+    </message>
+    <message>
+        <source>the recorder never closed this file; it was read to its end</source>
+        <translation>der Rekorder hat diese Datei nie geschlossen; sie wurde bis zum Ende gelesen</translation>
+    </message>
+    <message>
+        <source>check its last second</source>
+        <translation>die letzte Sekunde prüfen</translation>
+    </message>
+    <message>
+        <source>the recording is cut off: its header promises %1, but %2 are there</source>
+        <translation>die Aufzeichnung ist abgeschnitten: der Dateikopf verspricht %1, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>copy it again from the recorder if that has more</source>
+        <translation>noch einmal vom Rekorder kopieren, falls dort mehr ist</translation>
+    </message>
+    <message>
+        <source>the last %1 of %2 bytes are only part of a frame and were left out</source>
+        <translation>die letzten %1 von %2 Bytes sind nur ein Teil eines Abtastzeitpunkts und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>is not an audio file that can be read</source>
+        <translation>ist keine lesbare Audiodatei</translation>
+    </message>
+    <message>
+        <source>copy it again from the recorder, or export it as WAV</source>
+        <translation>noch einmal vom Rekorder kopieren oder als WAV ausgeben</translation>
+    </message>
+    <message>
+        <source>the recording has no samples</source>
+        <translation>die Aufzeichnung hat keine Abtastwerte</translation>
+    </message>
+    <message>
+        <source>check that the recorder was running</source>
+        <translation>prüfen, ob der Rekorder lief</translation>
+    </message>
+    <message>
+        <source>the recording was compressed with loss, which blurs the signal</source>
+        <translation>die Aufzeichnung wurde verlustbehaftet komprimiert, das verwischt das Signal</translation>
+    </message>
+    <message>
+        <source>set the recorder to WAV or FLAC</source>
+        <translation>den Rekorder auf WAV oder FLAC stellen</translation>
+    </message>
+    <message>
+        <source>the recording breaks off or is damaged after %1 s</source>
+        <translation>die Aufzeichnung bricht nach %1 s ab oder ist dort beschädigt</translation>
+    </message>
+    <message>
+        <source>the recording breaks off after %1 s</source>
+        <translation>die Aufzeichnung bricht nach %1 s ab</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples are not numbers</source>
+        <translation>%1 von %2 Abtastwerten sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>export it again from the audio program, as 16 or 24 bit</source>
+        <translation>aus dem Audioprogramm neu ausgeben, mit 16 oder 24 Bit</translation>
+    </message>
+    <message>
+        <source>raw samples are little-endian, as the program&apos;s own</source>
+        <translation>Rohwerte sind little-endian wie die des Programms</translation>
+    </message>
+    <message>
+        <source>sound cannot be used (%1)</source>
+        <translation>der Ton kann nicht benutzt werden (%1)</translation>
+    </message>
+    <message>
+        <source>sound card</source>
+        <translation>Soundkarte</translation>
+    </message>
+    <message>
+        <source>check that sound works in other programs</source>
+        <translation>prüfen, ob andere Programme Ton haben</translation>
+    </message>
+    <message>
+        <source>there is no sound card to capture from</source>
+        <translation>es gibt keine Soundkarte zum Aufnehmen</translation>
+    </message>
+    <message>
+        <source>connect one</source>
+        <translation>eine anschließen</translation>
+    </message>
+    <message>
+        <source>there is no such device</source>
+        <translation>dieses Gerät gibt es nicht</translation>
+    </message>
+    <message>
+        <source>connect it, or choose one that `limbwave devices` lists</source>
+        <translation>anschließen oder eines wählen, das `limbwave devices` aufzählt</translation>
+    </message>
+    <message>
+        <source>has %1 channels, not %2</source>
+        <translation>hat %1 Kanäle, nicht %2</translation>
+    </message>
+    <message>
+        <source>choose another device</source>
+        <translation>ein anderes Gerät wählen</translation>
+    </message>
+    <message>
+        <source>does not give %1 samples</source>
+        <translation>liefert keine Abtastwerte vom Typ %1</translation>
+    </message>
+    <message>
+        <source>it offers %1</source>
+        <translation>angeboten wird: %1</translation>
+    </message>
+    <message>
+        <source>does not run at %1 Hz</source>
+        <translation>läuft nicht mit %1 Hz</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>lässt sich nicht öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>check that no other program uses it</source>
+        <translation>prüfen, ob ein anderes Programm das Gerät benutzt</translation>
+    </message>
+    <message>
+        <source>does not start (%1)</source>
+        <translation>startet nicht (%1)</translation>
+    </message>
+    <message>
+        <source>check that it is still connected and that no other program uses it</source>
+        <translation>prüfen, ob das Gerät noch angeschlossen ist und kein anderes Programm es benutzt</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>writing failed (%1)</source>
+        <translation>das Schreiben schlug fehl (%1)</translation>
+    </message>
+    <message>
+        <source>what was recorded until then is kept; make room, or record to another disk</source>
+        <translation>was bis dahin aufgenommen wurde, bleibt; Platz schaffen oder auf einen anderen Datenträger aufnehmen</translation>
+    </message>
+    <message>
+        <source>cannot hold this rate and number of channels</source>
+        <translation>kann diese Rate und Kanalzahl nicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>ein anderes Format wählen</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1)</source>
+        <translation>kann nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>check that the folder exists and that you may write there</source>
+        <translation>prüfen, ob es den Ordner gibt und ob Sie dort schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>%1 times in all, %2 of them told; the last: %3</source>
+        <translation>insgesamt %1-mal, davon %2 gemeldet; zuletzt: %3</translation>
+    </message>
+    <message>
+        <source>%1 samples are not numbers</source>
+        <translation>%1 Abtastwerte sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>The file or device delivers broken data: record again or convert the file anew</source>
+        <translation>Datei oder Gerät liefern fehlerhafte Daten: noch einmal aufnehmen oder die Datei neu umwandeln</translation>
+    </message>
+    <message>
+        <source>the counter was lost for %1 ms (%2 cycles)</source>
+        <translation>der Zähler war %1 ms lang verloren (%2 Zyklen)</translation>
+    </message>
+    <message>
+        <source>the counter is gone (nothing for %1 ms)</source>
+        <translation>der Zähler ist weg (seit %1 ms nichts)</translation>
+    </message>
+    <message>
+        <source>Check the plug and the cable; if samples were dropped, close other programs or take a larger buffer</source>
+        <translation>Stecker und Kabel prüfen; gingen Abtastwerte verloren, andere Programme schließen oder einen größeren Puffer nehmen</translation>
+    </message>
+    <message>
+        <source>both channels are silent (left %1 dBFS, right %2 dBFS)</source>
+        <translation>beide Kanäle sind still (links %1 dBFS, rechts %2 dBFS)</translation>
+    </message>
+    <message>
+        <source>Switch the board on, plug it into the line-in socket, choose that input in the sound settings and turn its level up</source>
+        <translation>Die Platine einschalten, in die Line-in-Buchse stecken, diesen Eingang in den Toneinstellungen wählen und den Pegel aufdrehen</translation>
+    </message>
+    <message>
+        <source>both channels carry the same signal (correlation %1)</source>
+        <translation>beide Kanäle führen dasselbe Signal (Korrelation %1)</translation>
+    </message>
+    <message>
+        <source>Record in stereo, use a stereo cable and a line input: a microphone socket is often mono</source>
+        <translation>In Stereo aufnehmen, ein Stereokabel und einen Line-Eingang benutzen: eine Mikrofonbuchse ist oft mono</translation>
+    </message>
+    <message>
+        <source>the counter runs at %1 cycles per second, the rig allows %2 to %3</source>
+        <translation>der Zähler läuft mit %1 Zyklen pro Sekunde, das Rig erlaubt %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Choose the rig that belongs to this board, or check that the sample rate is really what the file or device says</source>
+        <translation>Das Rig wählen, das zu dieser Platine gehört, oder prüfen, ob die Abtastrate wirklich die ist, die Datei oder Gerät nennen</translation>
+    </message>
+    <message>
+        <source>the %1 channel is silent (%2 dBFS) and there is no counter on the other one</source>
+        <translation>der Kanal %1 ist still (%2 dBFS), und auf dem anderen ist kein Zähler</translation>
+    </message>
+    <message>
+        <source>Use a stereo cable, push the plug in fully and record in stereo</source>
+        <translation>Ein Stereokabel benutzen, den Stecker ganz hineinschieben und in Stereo aufnehmen</translation>
+    </message>
+    <message>
+        <source>there is only %1 Hz mains hum, no counter on either channel</source>
+        <translation>da ist nur Netzbrummen mit %1 Hz, auf keinem Kanal ein Zähler</translation>
+    </message>
+    <message>
+        <source>Push the plug in fully, check the cable&apos;s ground and that the board is switched on</source>
+        <translation>Den Stecker ganz hineinschieben, die Masse des Kabels prüfen und ob die Platine eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>no counter of about %1 cycles per second on either channel (left %2 dBFS, right %3 dBFS)</source>
+        <translation>auf keinem Kanal ein Zähler mit etwa %1 Zyklen pro Sekunde (links %2 dBFS, rechts %3 dBFS)</translation>
+    </message>
+    <message>
+        <source>Choose the input that the board is plugged into, not a microphone or a player; switch effects such as noise reduction and automatic gain off</source>
+        <translation>Den Eingang wählen, in dem die Platine steckt, nicht ein Mikrofon oder einen Spieler; Effekte wie Rauschunterdrückung und automatische Aussteuerung abschalten</translation>
+    </message>
+    <message>
+        <source>only %1 whole cycles of the board were heard</source>
+        <translation>nur %1 ganze Zyklen der Platine waren zu hören</translation>
+    </message>
+    <message>
+        <source>Record at least a second</source>
+        <translation>Mindestens eine Sekunde aufnehmen</translation>
+    </message>
+    <message>
+        <source>the counter is there, but the %1 channel carries no sensor values (its slots differ by %2 % of the counter&apos;s swing)</source>
+        <translation>der Zähler ist da, aber der Kanal %1 führt keine Sensorwerte (seine Zeitfächer unterscheiden sich um %2 % des Zählerhubs)</translation>
+    </message>
+    <message>
+        <source>Check the cable&apos;s other channel and the balance control</source>
+        <translation>Den anderen Kanal des Kabels und den Balanceregler prüfen</translation>
+    </message>
+    <message>
+        <source>the reference slot does not stand out from the sensors (score %1 of 1), so polarity cannot be told; it is taken as %2</source>
+        <translation>das Referenzfach hebt sich nicht von den Sensoren ab (%1 von 1), die Polung ist also nicht zu erkennen; angenommen wird: %2</translation>
+    </message>
+    <message>
+        <source>not inverted</source>
+        <translation>nicht invertiert</translation>
+    </message>
+    <message>
+        <source>Check the reference voltage of the board against the rig, and that all sensors are plugged in</source>
+        <translation>Die Referenzspannung der Platine mit dem Rig vergleichen und prüfen, ob alle Sensoren stecken</translation>
+    </message>
+    <message>
+        <source>left and right are exchanged: the counter is on the left channel</source>
+        <translation>links und rechts sind vertauscht: der Zähler liegt auf dem linken Kanal</translation>
+    </message>
+    <message>
+        <source>Nothing is lost, they are exchanged back; exchange the plugs, or set this in the rig&apos;s line settings</source>
+        <translation>Nichts ist verloren, sie werden zurückgetauscht; die Stecker tauschen oder es in den Leitungseinstellungen des Rigs festlegen</translation>
+    </message>
+    <message>
+        <source>the %1 channel (sensors) is inverted by this sound card</source>
+        <translation>der Kanal %1 (Sensoren) wird von dieser Soundkarte invertiert</translation>
+    </message>
+    <message>
+        <source>Nothing to do: it is turned over again</source>
+        <translation>Nichts zu tun: er wird wieder umgedreht</translation>
+    </message>
+    <message>
+        <source>the %1 channel (counter) is inverted by this sound card</source>
+        <translation>der Kanal %1 (Zähler) wird von dieser Soundkarte invertiert</translation>
+    </message>
+    <message>
+        <source>the counter swings by only %1 % of full scale (%2 dBFS)</source>
+        <translation>der Zähler schwingt nur um %1 % der Vollaussteuerung (%2 dBFS)</translation>
+    </message>
+    <message>
+        <source>Turn the input level up until the counter reaches about two thirds of full scale</source>
+        <translation>Den Eingangspegel aufdrehen, bis der Zähler etwa zwei Drittel der Vollaussteuerung erreicht</translation>
+    </message>
+    <message>
+        <source>the %1 channel seems to be recorded at %2 times the gain of the other</source>
+        <translation>der Kanal %1 ist anscheinend mit der %2-fachen Verstärkung des anderen aufgenommen</translation>
+    </message>
+    <message>
+        <source>Set the balance to the middle and then leave it, or repeat the range calibration with this setting</source>
+        <translation>Die Balance auf Mitte stellen und dann nicht mehr anfassen, oder die Bereichskalibrierung mit dieser Einstellung wiederholen</translation>
+    </message>
+    <message>
+        <source>the signal is only %1 ms long</source>
+        <translation>das Signal ist nur %1 ms lang</translation>
+    </message>
+    <message>
+        <source>the reference slot</source>
+        <translation>das Referenzfach</translation>
+    </message>
+    <message>
+        <source>sensor %1 axis %2</source>
+        <translation>Sensor %1 Achse %2</translation>
+    </message>
+    <message>
+        <source>the sensor channel reaches full scale in %1 of %2 slots, first %3</source>
+        <translation>der Sensorkanal erreicht in %1 von %2 Zeitfächern die Vollaussteuerung, zuerst: %3</translation>
+    </message>
+    <message>
+        <source>Turn the input level down and record this part again</source>
+        <translation>Den Eingangspegel herunterdrehen und diesen Teil noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>the counter channel reaches full scale, so its swing is no measure of the gain; the last good scale is kept</source>
+        <translation>der Zählerkanal erreicht die Vollaussteuerung, sein Hub ist also kein Maß der Verstärkung; die letzte gute wird beibehalten</translation>
+    </message>
+    <message>
+        <source>Turn the input level down until the counter reaches about two thirds of full scale</source>
+        <translation>Den Eingangspegel herunterdrehen, bis der Zähler etwa zwei Drittel der Vollaussteuerung erreicht</translation>
+    </message>
+    <message>
+        <source>the reference level, which should stand still, moves by %1 % of the counter&apos;s swing: there is hum on the sensor channel</source>
+        <translation>der Referenzpegel, der stillstehen sollte, bewegt sich um %1 % des Zählerhubs: auf dem Sensorkanal brummt es</translation>
+    </message>
+    <message>
+        <source>Run the computer on its battery, keep the cable away from power supplies and use a shielded one</source>
+        <translation>Den Rechner mit dem Akku betreiben, das Kabel von Netzteilen fernhalten und ein geschirmtes nehmen</translation>
+    </message>
+    <message>
+        <source>the sensor channel changed by a factor of %1, the counter channel did not</source>
+        <translation>der Sensorkanal änderte sich um den Faktor %1, der Zählerkanal nicht</translation>
+    </message>
+    <message>
+        <source>Set the balance back to where it was, or repeat the range calibration</source>
+        <translation>Die Balance dorthin zurückstellen, wo sie war, oder die Bereichskalibrierung wiederholen</translation>
+    </message>
+    <message>
+        <source>the counter channel changed by a factor of %1, the sensor channel did not</source>
+        <translation>der Zählerkanal änderte sich um den Faktor %1, der Sensorkanal nicht</translation>
+    </message>
+    <message>
+        <source>the input level changed by a factor of %1; values are scaled back by the counter&apos;s swing</source>
+        <translation>der Eingangspegel änderte sich um den Faktor %1; die Werte werden mit dem Zählerhub zurückgerechnet</translation>
+    </message>
+    <message>
+        <source>Leave the volume knob alone while recording; check this part of the take</source>
+        <translation>Den Lautstärkeregler während der Aufnahme nicht anfassen; diesen Teil des Takes prüfen</translation>
+    </message>
+    <message>
+        <source>%1 slots reached full scale in all, in %2 stretches</source>
+        <translation>insgesamt erreichten %1 Zeitfächer die Vollaussteuerung, in %2 Abschnitten</translation>
+    </message>
+    <message>
+        <source>Turn the input level down and record again</source>
+        <translation>Den Eingangspegel herunterdrehen und noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>it is even and one more than three times the number of sensors: 4, 10, 16, 22 or 28</source>
+        <translation>gerade und um eins größer als das Dreifache der Sensorzahl: 4, 10, 16, 22 oder 28</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no accelerometer of this rig</source>
+        <translation>ist „%1“, das ist kein Beschleunigungssensor dieses Rigs</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is not perpendicular to that of the first pose</source>
+        <translation>steht nicht senkrecht auf der ersten Pose</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which another accelerometer has already</source>
+        <translation>ist „%1“, so heißt schon ein anderer Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>has %1 entries, but %2 slots carry %3 sensors</source>
+        <translation>hat %1 Einträge, aber %2 Zeitfächer tragen %3 Sensoren</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no segment of skeleton &quot;%2&quot;</source>
+        <translation>ist „%1“, das ist kein Segment des Skeletts „%2“</translation>
+    </message>
+    <message>
+        <source>%1: /accelerometers/%2/segment</source>
+        <translation>%1: /accelerometers/%2/segment</translation>
+    </message>
+    <message>
+        <source>name one of its segments</source>
+        <translation>eines seiner Segmente angeben</translation>
+    </message>
+    <message>
+        <source>use fixed, hinge, universal or spherical</source>
+        <translation>fixed, hinge, universal oder spherical verwenden</translation>
+    </message>
+    <message>
+        <source>is nearly parallel to axis</source>
+        <translation>ist fast parallel zu axis</translation>
+    </message>
+    <message>
+        <source>a universal joint has two different axes</source>
+        <translation>ein Kardangelenk hat zwei verschiedene Achsen</translation>
+    </message>
+    <message>
+        <source>is larger than maximum_deg</source>
+        <translation>ist größer als maximum_deg</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which another segment has already</source>
+        <translation>ist „%1“, so heißt schon ein anderes Segment</translation>
+    </message>
+    <message>
+        <source>has no parent</source>
+        <translation>hat kein übergeordnetes Segment</translation>
+    </message>
+    <message>
+        <source>only the first segment, the root, has none</source>
+        <translation>nur das erste Segment, die Wurzel, hat keines</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which no earlier segment is</source>
+        <translation>ist „%1“, so heißt kein früheres Segment</translation>
+    </message>
+    <message>
+        <source>list parents before children</source>
+        <translation>übergeordnete Segmente zuerst aufzählen</translation>
+    </message>
+    <message>
+        <source>is longer than 10 m</source>
+        <translation>ist länger als 10 m</translation>
+    </message>
+    <message>
+        <source>lengths are in metres</source>
+        <translation>Längen stehen in Metern</translation>
+    </message>
+    <message>
+        <source>a skeleton has at least one segment</source>
+        <translation>ein Skelett hat mindestens ein Segment</translation>
+    </message>
+    <message>
+        <source>has more than 512 segments</source>
+        <translation>hat mehr als 512 Segmente</translation>
+    </message>
+    <message>
+        <source>is not a direction: its length is zero</source>
+        <translation>ist keine Richtung: die Länge ist null</translation>
+    </message>
+    <message>
+        <source>is not a rotation: a quaternion [w, x, y, z] has length 1</source>
+        <translation>ist keine Drehung: ein Quaternion [w, x, y, z] hat die Länge 1</translation>
+    </message>
+    <message>
+        <source>is larger than any sensor can have</source>
+        <translation>ist größer, als es bei einem Sensor sein kann</translation>
+    </message>
+    <message>
+        <source>calibrate the sensor again</source>
+        <translation>den Sensor neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>does not have three rows</source>
+        <translation>hat nicht drei Zeilen</translation>
+    </message>
+    <message>
+        <source>is singular or mirrors the axes</source>
+        <translation>ist singulär oder spiegelt die Achsen</translation>
+    </message>
+    <message>
+        <source>is not a unit quaternion</source>
+        <translation>ist kein Einheitsquaternion</translation>
+    </message>
+    <message>
+        <source>four numbers, w first, with squares that add up to 1</source>
+        <translation>vier Zahlen, w zuerst, deren Quadrate zusammen 1 ergeben</translation>
+    </message>
+    <message>
+        <source>does not have one entry per sensor</source>
+        <translation>hat nicht einen Eintrag pro Sensor</translation>
+    </message>
+    <message>
+        <source>there are too few readings at rest to check the gain</source>
+        <translation>es gibt zu wenige Messwerte in Ruhe, um die Verstärkung zu prüfen</translation>
+    </message>
+    <message>
+        <source>hold still for two seconds</source>
+        <translation>zwei Sekunden stillhalten</translation>
+    </message>
+    <message>
+        <source>the readings do not depend on the gain</source>
+        <translation>die Messwerte hängen nicht von der Verstärkung ab</translation>
+    </message>
+    <message>
+        <source>check the sensors&apos; offsets</source>
+        <translation>die Nullpunkte der Sensoren prüfen</translation>
+    </message>
+    <message>
+        <source>the sensors do not read gravity with any gain</source>
+        <translation>die Sensoren zeigen mit keiner Verstärkung die Erdbeschleunigung</translation>
+    </message>
+    <message>
+        <source>calibrate their range again</source>
+        <translation>ihren Bereich neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>the gain is uncertain by %1 %</source>
+        <translation>die Verstärkung ist um %1 % unsicher</translation>
+    </message>
+    <message>
+        <source>calibrate the sensors&apos; range, then hold still in several poses</source>
+        <translation>den Bereich der Sensoren kalibrieren, dann in mehreren Posen stillhalten</translation>
+    </message>
+    <message>
+        <source>the two directions of gravity are %1° apart, not about 90°</source>
+        <translation>die beiden Richtungen der Schwerkraft liegen %1° auseinander, nicht etwa 90°</translation>
+    </message>
+    <message>
+        <source>hold two poses a right angle apart</source>
+        <translation>zwei Posen im rechten Winkel zueinander halten</translation>
+    </message>
+    <message>
+        <source>%1: pose %2</source>
+        <translation>%1: Pose %2</translation>
+    </message>
+    <message>
+        <source>there is no whole %1 s without lost or clipped readings</source>
+        <translation>es gibt keine ganzen %1 s ohne verlorene oder übersteuerte Messwerte</translation>
+    </message>
+    <message>
+        <source>check the level and the plugs, then hold the pose again</source>
+        <translation>Pegel und Stecker prüfen, dann die Pose noch einmal halten</translation>
+    </message>
+    <message>
+        <source>it was never held still: the stillest second still moved by %1 mg</source>
+        <translation>sie wurde nie stillgehalten: auch die ruhigste Sekunde bewegte sich noch um %1 mg</translation>
+    </message>
+    <message>
+        <source>hold the pose without moving for two seconds</source>
+        <translation>die Pose zwei Sekunden lang halten, ohne sich zu bewegen</translation>
+    </message>
+    <message>
+        <source>hold first &quot;%1&quot;, then &quot;%2&quot;</source>
+        <translation>zuerst „%1“ halten, dann „%2“</translation>
+    </message>
+    <message>
+        <source>both poses are the same: gravity turned by only %1° between them</source>
+        <translation>beide Posen sind gleich: die Schwerkraft drehte sich zwischen ihnen nur um %1°</translation>
+    </message>
+    <message>
+        <source>the poses are opposite: gravity turned by %1° instead of 90°</source>
+        <translation>die Posen sind entgegengesetzt: die Schwerkraft drehte sich um %1° statt um 90°</translation>
+    </message>
+    <message>
+        <source>the poses were held in the wrong order</source>
+        <translation>die Posen wurden in der falschen Reihenfolge gehalten</translation>
+    </message>
+    <message>
+        <source>two poses</source>
+        <translation>zwei Posen</translation>
+    </message>
+    <message>
+        <source>repeat: this sensor&apos;s gravity turned by %1° between the poses, not by 90°</source>
+        <translation>wiederholen: die Schwerkraft dieses Sensors drehte sich zwischen den Posen um %1°, nicht um 90°</translation>
+    </message>
+    <message>
+        <source>%1: poses %2° apart (%3° off), held within %4 mg</source>
+        <translation>%1: Posen %2° auseinander (%3° daneben), auf %4 mg ruhig gehalten</translation>
+    </message>
+    <message>
+        <source>; each direction may be %1° off: hold the poses more exactly</source>
+        <translation>; jede Richtung kann um %1° falsch sein: die Posen genauer halten</translation>
+    </message>
+    <message>
+        <source>; it moved while it was held</source>
+        <translation>; er bewegte sich, während er gehalten wurde</translation>
+    </message>
+    <message>
+        <source>; it reads %1 g at rest: calibrate its range, or the volume was moved</source>
+        <translation>; in Ruhe zeigt er %1 g: den Bereich kalibrieren, oder die Lautstärke wurde verstellt</translation>
+    </message>
+    <message>
+        <source>sits %1° away from how the rig shows it</source>
+        <translation>sitzt um %1° anders, als es das Rig zeigt</translation>
+    </message>
+    <message>
+        <source>if it is not mounted that way on purpose, two of its axes may be swapped or its slot may be another&apos;s</source>
+        <translation>wenn der Sensor nicht absichtlich so sitzt, sind vielleicht zwei Achsen vertauscht, oder sein Zeitfach gehört einem anderen</translation>
+    </message>
+    <message>
+        <source>no usable signal: check the plug and the level</source>
+        <translation>kein brauchbares Signal: Stecker und Pegel prüfen</translation>
+    </message>
+    <message>
+        <source>turn it more slowly</source>
+        <translation>langsamer drehen</translation>
+    </message>
+    <message>
+        <source>move it smoothly, without jerks</source>
+        <translation>gleichmäßig bewegen, ohne Rucke</translation>
+    </message>
+    <message>
+        <source>enough: every direction was seen</source>
+        <translation>genug: jede Richtung war dabei</translation>
+    </message>
+    <message>
+        <source>turn it until %1</source>
+        <translation>drehen, bis %1</translation>
+    </message>
+    <message>
+        <source>sensor %1</source>
+        <translation>Sensor %1</translation>
+    </message>
+    <message>
+        <source>there are no readings</source>
+        <translation>es gibt keine Messwerte</translation>
+    </message>
+    <message>
+        <source>record the sensor while turning it slowly about all its axes</source>
+        <translation>den Sensor aufnehmen, während man ihn langsam um alle Achsen dreht</translation>
+    </message>
+    <message>
+        <source>the signal was clipped or lost in %1 % of the time</source>
+        <translation>das Signal war %1 % der Zeit übersteuert oder verloren</translation>
+    </message>
+    <message>
+        <source>lower the recording level until nothing clips, check the plug, and repeat</source>
+        <translation>den Aufnahmepegel senken, bis nichts mehr übersteuert, den Stecker prüfen und wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings were clipped or lost</source>
+        <translation>%1 % der Messwerte waren übersteuert oder verloren</translation>
+    </message>
+    <message>
+        <source>lower the recording level</source>
+        <translation>den Aufnahmepegel senken</translation>
+    </message>
+    <message>
+        <source>the sensor reached its range of %1 g in %2 % of the readings</source>
+        <translation>der Sensor erreichte bei %2 % der Messwerte seinen Bereich von %1 g</translation>
+    </message>
+    <message>
+        <source>turn it more gently</source>
+        <translation>sanfter drehen</translation>
+    </message>
+    <message>
+        <source>the sensor was steady for only %1 s; %2 s are needed</source>
+        <translation>der Sensor war nur %1 s lang ruhig; %2 s sind nötig</translation>
+    </message>
+    <message>
+        <source>turn it slowly, about ten seconds per full turn, without jerks</source>
+        <translation>langsam drehen, etwa zehn Sekunden pro Umdrehung, ohne Rucke</translation>
+    </message>
+    <message>
+        <source>axis %1 is stuck: it moved by only %2 g while the others turned</source>
+        <translation>Achse %1 hängt fest: sie bewegte sich nur um %2 g, während die anderen sich drehten</translation>
+    </message>
+    <message>
+        <source>check this axis&apos;s wire and solder joint</source>
+        <translation>Leitung und Lötstelle dieser Achse prüfen</translation>
+    </message>
+    <message>
+        <source>axes %1 and %2 show the same signal</source>
+        <translation>die Achsen %1 und %2 zeigen dasselbe Signal</translation>
+    </message>
+    <message>
+        <source>check the wiring of these two axes for a short circuit or a doubled slot</source>
+        <translation>die Verdrahtung dieser beiden Achsen auf einen Kurzschluss oder ein doppeltes Zeitfach prüfen</translation>
+    </message>
+    <message>
+        <source>axis %1 stops at %2 g: its signal is clipped</source>
+        <translation>Achse %1 bleibt bei %2 g stehen: ihr Signal ist übersteuert</translation>
+    </message>
+    <message>
+        <source>lower the recording level, or check the sensor&apos;s supply</source>
+        <translation>den Aufnahmepegel senken oder die Versorgung des Sensors prüfen</translation>
+    </message>
+    <message>
+        <source>the volume was moved by %1 % about %2 s after the start</source>
+        <translation>die Lautstärke wurde etwa %2 s nach Beginn um %1 % verstellt</translation>
+    </message>
+    <message>
+        <source>leave the volume and the balance alone and repeat</source>
+        <translation>Lautstärke und Balance nicht anfassen und wiederholen</translation>
+    </message>
+    <message>
+        <source>only %1 % of all directions were covered; %2 % are needed</source>
+        <translation>nur %1 % aller Richtungen waren dabei; %2 % sind nötig</translation>
+    </message>
+    <message>
+        <source>go on turning it slowly, for example until %1</source>
+        <translation>langsam weiterdrehen, zum Beispiel bis %1</translation>
+    </message>
+    <message>
+        <source>the readings do not form an ellipsoid</source>
+        <translation>die Messwerte bilden kein Ellipsoid</translation>
+    </message>
+    <message>
+        <source>turn it slowly about all its axes, through all directions</source>
+        <translation>langsam um alle Achsen drehen, durch alle Richtungen</translation>
+    </message>
+    <message>
+        <source>%1 % of all directions were covered, the largest hole is %2° wide</source>
+        <translation>%1 % aller Richtungen waren dabei, die größte Lücke ist %2° weit</translation>
+    </message>
+    <message>
+        <source>the readings are too few to be checked against each other</source>
+        <translation>es sind zu wenige Messwerte, um sie aneinander zu prüfen</translation>
+    </message>
+    <message>
+        <source>turn it for longer, a minute or so</source>
+        <translation>länger drehen, etwa eine Minute</translation>
+    </message>
+    <message>
+        <source>offset %1 g and scale %2 to %3 are not those of this sensor</source>
+        <translation>Nullpunkt %1 g und Empfindlichkeit %2 bis %3 sind nicht die dieses Sensors</translation>
+    </message>
+    <message>
+        <source>check the rig&apos;s sensitivity and zero, the volume and the balance</source>
+        <translation>Empfindlichkeit und Nullpunkt des Rigs, Lautstärke und Balance prüfen</translation>
+    </message>
+    <message>
+        <source>%1: %2 mg left over (%3; extremes %4 mg, ellipsoid %5 mg), %6 % of all directions covered</source>
+        <translation>%1: %2 mg bleiben übrig (%3; Extremwerte %4 mg, Ellipsoid %5 mg), %6 % aller Richtungen waren dabei</translation>
+    </message>
+    <message>
+        <source>; turn it more slowly and without jerks, and hold it at the box, not at the cable</source>
+        <translation>; langsamer und ohne Rucke drehen, und am Gehäuse halten, nicht am Kabel</translation>
+    </message>
+    <message>
+        <source>the corner of %1, %2 and %3 up</source>
+        <translation>die Ecke aus %1, %2 und %3 oben ist</translation>
+    </message>
+    <message>
+        <source>between %1 and %2 up</source>
+        <translation>es zwischen %1 und %2 nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>cannot be made (%1)</source>
+        <translation>kann nicht angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>check that you may write there</source>
+        <translation>prüfen, ob Sie dort schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>cannot be listed (%1)</source>
+        <translation>kann nicht aufgelistet werden (%1)</translation>
+    </message>
+    <message>
+        <source>check its permissions</source>
+        <translation>die Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>put back a copy, or delete it and calibrate again</source>
+        <translation>eine Kopie zurücklegen, oder die Datei löschen und neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>there is no limb calibration to keep</source>
+        <translation>es gibt keine Gliedmaßenkalibrierung, die zu behalten wäre</translation>
+    </message>
+    <message>
+        <source>calibrate at least one sensor</source>
+        <translation>mindestens einen Sensor kalibrieren</translation>
+    </message>
+    <message>
+        <source>%1: no range calibration</source>
+        <translation>%1: keine Bereichskalibrierung</translation>
+    </message>
+    <message>
+        <source>%1: no limb calibration</source>
+        <translation>%1: keine Gliedmaßenkalibrierung</translation>
+    </message>
+    <message>
+        <source>no named subject</source>
+        <translation>niemandem mit Namen</translation>
+    </message>
+    <message>
+        <source>the calibration library lacks %1 of %2 entries for rig &quot;%3&quot; on %4 (%5)</source>
+        <translation>in der Kalibrierungsbibliothek fehlen %1 von %2 Einträgen für das Rig „%3“ an %4 (%5)</translation>
+    </message>
+    <message>
+        <source>calibration library: range %1, limbs of %2 %3</source>
+        <translation>Kalibrierungsbibliothek: Bereich %1, Gliedmaßen von %2 %3</translation>
+    </message>
+    <message>
+        <source>is not in the calibration library</source>
+        <translation>ist nicht in der Kalibrierungsbibliothek</translation>
+    </message>
+    <message>
+        <source>name a file that the library lists</source>
+        <translation>eine Datei angeben, die die Bibliothek aufzählt</translation>
+    </message>
+    <message>
+        <source>cannot be deleted (%1)</source>
+        <translation>kann nicht gelöscht werden (%1)</translation>
+    </message>
+    <message>
+        <source>%1 channels at %2 Hz, %3</source>
+        <translation>%1 Kanäle mit %2 Hz, %3</translation>
+    </message>
+    <message>
+        <source>export the two that carry the signal as a stereo file</source>
+        <translation>die beiden, die das Signal tragen, als Stereodatei ausgeben</translation>
+    </message>
+    <message>
+        <source>has %1, but %2 has %3</source>
+        <translation>hat %1, aber %2 hat %3</translation>
+    </message>
+    <message>
+        <source>parts of one recording have the same format; import others into their own takes</source>
+        <translation>Teile einer Aufzeichnung haben dasselbe Format; andere in eigene Takes importieren</translation>
+    </message>
+    <message>
+        <source>there is no recording to import</source>
+        <translation>es gibt keine Aufzeichnung zum Importieren</translation>
+    </message>
+    <message>
+        <source>name at least one file</source>
+        <translation>mindestens eine Datei angeben</translation>
+    </message>
+    <message>
+        <source>exists already</source>
+        <translation>gibt es schon</translation>
+    </message>
+    <message>
+        <source>choose another name, or move it away</source>
+        <translation>einen anderen Namen wählen oder das Vorhandene verschieben</translation>
+    </message>
+    <message>
+        <source>recording stopped because the disk is nearly full (%1 MB left)</source>
+        <translation>die Aufnahme endete, weil der Datenträger fast voll ist (noch %1 MB)</translation>
+    </message>
+    <message>
+        <source>everything up to here is kept; make room, or record to another disk</source>
+        <translation>alles bis hierher bleibt; Platz schaffen oder auf einen anderen Datenträger aufnehmen</translation>
+    </message>
+    <message>
+        <source>cannot be recorded to: the disk is nearly full (%1 MB left)</source>
+        <translation>dorthin kann nicht aufgenommen werden: der Datenträger ist fast voll (noch %1 MB)</translation>
+    </message>
+    <message>
+        <source>make room, or record to another disk</source>
+        <translation>Platz schaffen oder auf einen anderen Datenträger aufnehmen</translation>
+    </message>
+    <message>
+        <source>check that the folder above it exists and that you may write there</source>
+        <translation>prüfen, ob es den Ordner darüber gibt und ob Sie dort schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>the recording is closed</source>
+        <translation>die Aufnahme ist abgeschlossen</translation>
+    </message>
+    <message>
+        <source>the samples of this take are lost unless you have a copy of that file</source>
+        <translation>die Abtastwerte dieses Takes sind verloren, wenn Sie keine Kopie dieser Datei haben</translation>
+    </message>
+    <message>
+        <source>holds %1 channels at %2 Hz with %3 bytes per frame, but take.json says %4 at %5 Hz with %6</source>
+        <translation>enthält %1 Kanäle mit %2 Hz und %3 Bytes pro Abtastzeitpunkt, aber take.json nennt %4 mit %5 Hz und %6</translation>
+    </message>
+    <message>
+        <source>put back the file that belongs to this take</source>
+        <translation>die Datei zurücklegen, die zu diesem Take gehört</translation>
+    </message>
+    <message>
+        <source>is not a take: there is no take.json in it</source>
+        <translation>ist kein Take: es ist kein take.json darin</translation>
+    </message>
+    <message>
+        <source>name the folder of a take, or make one with `limbwave record` or `limbwave import`</source>
+        <translation>den Ordner eines Takes angeben, oder mit `limbwave record` oder `limbwave import` einen machen</translation>
+    </message>
+    <message>
+        <source>is missing; the samples are there, and the rig is taken to be &quot;%1&quot;</source>
+        <translation>fehlt; die Abtastwerte sind da, und als Rig wird „%1“ angenommen</translation>
+    </message>
+    <message>
+        <source>put it back, or run `limbwave recover`</source>
+        <translation>zurücklegen oder `limbwave recover` ausführen</translation>
+    </message>
+    <message>
+        <source>the last event was cut off</source>
+        <translation>das letzte Ereignis war abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is being recorded right now</source>
+        <translation>wird gerade aufgenommen</translation>
+    </message>
+    <message>
+        <source>the recording was not closed properly; %1 s are there</source>
+        <translation>die Aufnahme wurde nicht ordentlich abgeschlossen; %1 s sind da</translation>
+    </message>
+    <message>
+        <source>run `limbwave recover` to repair it; nothing is lost by that</source>
+        <translation>mit `limbwave recover` reparieren; dabei geht nichts verloren</translation>
+    </message>
+    <message>
+        <source>holds %1 s, but %2 s were recorded</source>
+        <translation>enthält %1 s, aufgenommen wurden aber %2 s</translation>
+    </message>
+    <message>
+        <source>copy the take again</source>
+        <translation>den Take noch einmal kopieren</translation>
+    </message>
+    <message>
+        <source>the header is damaged</source>
+        <translation>der Dateikopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>run `limbwave recover` to repair it</source>
+        <translation>mit `limbwave recover` reparieren</translation>
+    </message>
+    <message>
+        <source>is a file, not the folder of a take</source>
+        <translation>ist eine Datei, nicht der Ordner eines Takes</translation>
+    </message>
+    <message>
+        <source>make a take of a recording with `limbwave import`</source>
+        <translation>mit `limbwave import` aus einer Aufzeichnung einen Take machen</translation>
+    </message>
+    <message>
+        <source>the event could not be written (%1)</source>
+        <translation>das Ereignis konnte nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>check that the disk has room</source>
+        <translation>prüfen, ob auf dem Datenträger Platz ist</translation>
+    </message>
+    <message>
+        <source>the header says %1 frames, but the take has %2</source>
+        <translation>der Dateikopf nennt %1 Abtastzeitpunkte, der Take hat aber %2</translation>
+    </message>
+    <message>
+        <source>%1 bytes follow the last frame of the take</source>
+        <translation>nach dem letzten Abtastzeitpunkt des Takes folgen %1 Bytes</translation>
+    </message>
+    <message>
+        <source>segment &quot;%1&quot; reaches beyond the end of the take</source>
+        <translation>Abschnitt „%1“ reicht über das Ende des Takes hinaus</translation>
+    </message>
+    <message>
+        <source>shorten it there</source>
+        <translation>dort kürzen</translation>
+    </message>
+    <message>
+        <source>%1 events lie beyond the end of the take</source>
+        <translation>%1 Ereignisse liegen hinter dem Ende des Takes</translation>
+    </message>
+    <message>
+        <source>the rig is worn by skeleton &quot;%1&quot;, but the snapshot is of &quot;%2&quot;</source>
+        <translation>das Rig wird vom Skelett „%1“ getragen, die Momentaufnahme ist aber von „%2“</translation>
+    </message>
+    <message>
+        <source>sensor &quot;%1&quot; sits on &quot;%2&quot;, which is no segment of the skeleton</source>
+        <translation>Sensor „%1“ sitzt auf „%2“, das ist kein Segment des Skeletts</translation>
+    </message>
+    <message>
+        <source>the calibration is of %1 sensors with %2 mounts, but the rig has %3</source>
+        <translation>die Kalibrierung ist von %1 Sensoren mit %2 Befestigungen, das Rig hat aber %3</translation>
+    </message>
+    <message>
+        <source>calibrate again</source>
+        <translation>neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>record again; they count as loss of signal</source>
+        <translation>noch einmal aufnehmen; sie zählen als Signalverlust</translation>
+    </message>
+    <message>
+        <source>make it again: solve or simulate the take again</source>
+        <translation>neu machen: den Take noch einmal berechnen oder simulieren</translation>
+    </message>
+    <message>
+        <source>check that you may write there and that the disk has room</source>
+        <translation>prüfen, ob Sie dort schreiben dürfen und ob auf dem Datenträger Platz ist</translation>
+    </message>
+    <message>
+        <source>was not written by Limbwave, so that its header is left alone</source>
+        <translation>wurde nicht von Limbwave geschrieben, der Dateikopf bleibt deshalb unverändert</translation>
+    </message>
+    <message>
+        <source>import the file into a new take</source>
+        <translation>die Datei in einen neuen Take importieren</translation>
+    </message>
+    <message>
+        <source>the last event had been cut off and was removed</source>
+        <translation>das letzte Ereignis war abgeschnitten und wurde entfernt</translation>
+    </message>
+    <message>
+        <source>run `limbwave recover` to make an empty one</source>
+        <translation>mit `limbwave recover` eine leere anlegen</translation>
+    </message>
+    <message>
+        <source>stop the recording first</source>
+        <translation>zuerst die Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>the header now says %1 frames instead of %2</source>
+        <translation>der Dateikopf nennt jetzt %1 Abtastzeitpunkte statt %2</translation>
+    </message>
+    <message>
+        <source>the take is closed with %1 s</source>
+        <translation>der Take ist mit %1 s abgeschlossen</translation>
+    </message>
+    <message>
+        <source>take.json was made again: the rig is taken to be &quot;%1&quot;</source>
+        <translation>take.json wurde neu gemacht: als Rig wird „%1“ angenommen</translation>
+    </message>
+    <message>
+        <source>correct it there when another one was worn</source>
+        <translation>dort berichtigen, wenn ein anderes getragen wurde</translation>
+    </message>
+    <message>
+        <source>is not a known sample type</source>
+        <translation>ist kein bekannter Abtasttyp</translation>
+    </message>
+    <message>
+        <source>int16, int24, int32 or float32</source>
+        <translation>int16, int24, int32 oder float32</translation>
+    </message>
+    <message>
+        <source>was written by a newer version of Limbwave</source>
+        <translation>wurde von einer neueren Version von Limbwave geschrieben</translation>
+    </message>
+    <message>
+        <source>open it with that version</source>
+        <translation>mit jener Version öffnen</translation>
+    </message>
+    <message>
+        <source>this version reads &quot;line-in&quot;</source>
+        <translation>diese Version liest „line-in“</translation>
+    </message>
+    <message>
+        <source>%1: /rig</source>
+        <translation>%1: /rig</translation>
+    </message>
+    <message>
+        <source>%1: /skeleton</source>
+        <translation>%1: /skeleton</translation>
+    </message>
+    <message>
+        <source>%1: /calibration</source>
+        <translation>%1: /calibration</translation>
+    </message>
+    <message>
+        <source>reading failed (%1)</source>
+        <translation>das Lesen schlug fehl (%1)</translation>
+    </message>
+    <message>
+        <source>became shorter meanwhile</source>
+        <translation>wurde inzwischen kürzer</translation>
+    </message>
+    <message>
+        <source>is too short to find the multiplexer&apos;s clock in it</source>
+        <translation>ist zu kurz, um darin den Takt des Multiplexers zu finden</translation>
+    </message>
+    <message>
+        <source>record at least a second</source>
+        <translation>mindestens eine Sekunde aufnehmen</translation>
+    </message>
+    <message>
+        <source>has %1 channels, but the line-in path needs two</source>
+        <translation>hat %1 Kanäle, der Line-in-Weg braucht aber zwei</translation>
+    </message>
+    <message>
+        <source>is being recorded already</source>
+        <translation>wird schon aufgenommen</translation>
+    </message>
+    <message>
+        <source>stop that recording first</source>
+        <translation>zuerst jene Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>nothing is being recorded</source>
+        <translation>es wird nichts aufgenommen</translation>
+    </message>
+    <message>
+        <source>start a recording first</source>
+        <translation>zuerst eine Aufnahme beginnen</translation>
+    </message>
+    <message>
+        <source>%1 has stopped giving samples</source>
+        <translation>%1 liefert keine Abtastwerte mehr</translation>
+    </message>
+    <message>
+        <source>check the cable and the sound server, then choose the device again</source>
+        <translation>Kabel und Soundserver prüfen, dann das Gerät noch einmal wählen</translation>
+    </message>
+    <message>
+        <source>%1 samples were lost</source>
+        <translation>%1 Abtastwerte gingen verloren</translation>
+    </message>
+    <message>
+        <source>samples were lost, the device does not say how many</source>
+        <translation>Abtastwerte gingen verloren, das Gerät sagt nicht, wie viele</translation>
+    </message>
+    <message>
+        <source>close programs that keep the computer busy, or choose a larger buffer of the sound card</source>
+        <translation>Programme schließen, die den Rechner beschäftigen, oder einen größeren Puffer der Soundkarte wählen</translation>
+    </message>
+    <message>
+        <source>use auto, normal or inverted</source>
+        <translation>auto, normal oder inverted verwenden</translation>
+    </message>
+    <message>
+        <source>is not later than the key before</source>
+        <translation>liegt nicht später als der Schlüssel davor</translation>
+    </message>
+    <message>
+        <source>%1 s solved in %2 s (decoding %3 s, estimating %4 s)</source>
+        <translation>%1 s in %2 s berechnet (Dekodieren %3 s, Schätzen %4 s)</translation>
+    </message>
+    <message>
+        <source>calibration: %1</source>
+        <translation>Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>line: %1 cycles/s, jitter %2 %, coupling %3 ± %4 Hz, noise %5 dB, %6 cycles, %7 lost</source>
+        <translation>Leitung: %1 Zyklen/s, Schwankung %2 %, Kopplung %3 ± %4 Hz, Rauschen %5 dB, %6 Zyklen, %7 verloren</translation>
+    </message>
+    <message>
+        <source>%1 usable %2 %, gravity explains %3 %, %4 g at rest</source>
+        <translation>%1: %2 % brauchbar, %3 % durch die Schwerkraft erklärt, in Ruhe %4 g</translation>
+    </message>
+    <message>
+        <source>no readings yet</source>
+        <translation>noch keine Messwerte</translation>
+    </message>
+    <message>
+        <source>only %1 % of the readings can be used; lower the level if it clips, else check the cable</source>
+        <translation>nur %1 % der Messwerte sind brauchbar; den Pegel senken, wenn es übersteuert, sonst das Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>reads nothing; check that the sensor is plugged in</source>
+        <translation>zeigt nichts; prüfen, ob der Sensor eingesteckt ist</translation>
+    </message>
+    <message>
+        <source>reads %1 g, more than the sensor can; check its cable and supply</source>
+        <translation>zeigt %1 g, mehr als der Sensor kann; Kabel und Versorgung prüfen</translation>
+    </message>
+    <message>
+        <source>reads %1 g at rest instead of 1 g; %2</source>
+        <translation>zeigt in Ruhe %1 g statt 1 g; %2</translation>
+    </message>
+    <message>
+        <source>check the cable</source>
+        <translation>das Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>repeat its range calibration</source>
+        <translation>die Bereichskalibrierung wiederholen</translation>
+    </message>
+    <message>
+        <source>reaches its limit of %1 g; move less abruptly</source>
+        <translation>erreicht die Grenze von %1 g; weniger ruckartig bewegen</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings are lost</source>
+        <translation>%1 % der Messwerte sind verloren</translation>
+    </message>
+    <message>
+        <source>works, but was never calibrated; calibrate its range</source>
+        <translation>geht, wurde aber nie kalibriert; den Bereich kalibrieren</translation>
+    </message>
+    <message>
+        <source>the line is %1 ± %2 % %3 than on the day of calibration; gravity at rest showed it and it was corrected</source>
+        <translation>die Leitung ist %1 ± %2 % %3 als am Tag der Kalibrierung; die Schwerkraft in Ruhe zeigte es, und es wurde ausgeglichen</translation>
+    </message>
+    <message>
+        <source>has no decoded reading within its capture</source>
+        <translation>hat im aufgenommenen Teil keinen dekodierten Messwert</translation>
+    </message>
+    <message>
+        <source>check the events of the take: limbwave info TAKE</source>
+        <translation>die Ereignisse des Takes ansehen: limbwave info TAKE</translation>
+    </message>
+    <message>
+        <source>cannot be the name of a solve</source>
+        <translation>kann nicht der Name einer Berechnung sein</translation>
+    </message>
+    <message>
+        <source>use letters, digits, spaces and dashes</source>
+        <translation>Buchstaben, Ziffern, Leerzeichen und Striche verwenden</translation>
+    </message>
+    <message>
+        <source>check that you may write into the take</source>
+        <translation>prüfen, ob Sie in den Take schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>has no solve &quot;%1&quot;</source>
+        <translation>hat keine Berechnung „%1“</translation>
+    </message>
+    <message>
+        <source>solve it first: limbwave solve TAKE</source>
+        <translation>zuerst berechnen: limbwave solve TAKE</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>solve the take again</source>
+        <translation>den Take noch einmal berechnen</translation>
+    </message>
+    <message>
+        <source>range calibration failed: %1</source>
+        <translation>die Bereichskalibrierung schlug fehl: %1</translation>
+    </message>
+    <message>
+        <source>limb calibration failed: %1</source>
+        <translation>die Gliedmaßenkalibrierung schlug fehl: %1</translation>
+    </message>
+    <message>
+        <source>from the take&apos;s own calibration: range of %1 of %2 sensors (residual at most %3 g), mounting of %4 (poses at most %5° from perpendicular)</source>
+        <translation>aus der Kalibrierung im Take: Bereich von %1 von %2 Sensoren (Rest höchstens %3 g), Befestigung von %4 (Posen höchstens %5° vom rechten Winkel)</translation>
+    </message>
+    <message>
+        <source>an unknown date</source>
+        <translation>einem unbekannten Tag</translation>
+    </message>
+    <message>
+        <source>has no calibration in it</source>
+        <translation>enthält keine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>calibrate it, or choose another --calibration</source>
+        <translation>kalibrieren oder eine andere --calibration wählen</translation>
+    </message>
+    <message>
+        <source>has no calibration segments</source>
+        <translation>hat keine Kalibrierungsabschnitte</translation>
+    </message>
+    <message>
+        <source>choose another --calibration</source>
+        <translation>eine andere --calibration wählen</translation>
+    </message>
+    <message>
+        <source>as recorded in the take, of %1</source>
+        <translation>wie im Take aufgezeichnet, von %1</translation>
+    </message>
+    <message>
+        <source>is worn by a rig that the calibration library does not know: %1</source>
+        <translation>wird mit einem Rig getragen, das die Kalibrierungsbibliothek nicht kennt: %1</translation>
+    </message>
+    <message>
+        <source>calibrate it first: limbwave calibrate</source>
+        <translation>zuerst kalibrieren: limbwave calibrate</translation>
+    </message>
+    <message>
+        <source>from the data sheet alone</source>
+        <translation>nur aus dem Datenblatt</translation>
+    </message>
+    <message>
+        <source>no sensor of this take was ever calibrated, so inclinations may be 10° wrong</source>
+        <translation>kein Sensor dieses Takes wurde je kalibriert, Neigungen können also um 10° falsch sein</translation>
+    </message>
+    <message>
+        <source>calibrate the range of the sensors and their mounting</source>
+        <translation>den Bereich der Sensoren und ihre Befestigung kalibrieren</translation>
+    </message>
+    <message>
+        <source>is not a source of calibrations</source>
+        <translation>ist keine Quelle von Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>use auto, snapshot, segments, library or nominal</source>
+        <translation>auto, snapshot, segments, library oder nominal verwenden</translation>
+    </message>
+    <message>
+        <source>the signal of %1 jumps within its slot: a click, or samples that were lost; the reading is left out</source>
+        <translation>das Signal von %1 springt innerhalb seines Zeitfachs: ein Knacks oder verlorene Abtastwerte; der Messwert wird weggelassen</translation>
+    </message>
+    <message>
+        <source>If it happens often, check plugs and solder joints, close other programs or take a larger buffer</source>
+        <translation>Kommt es oft vor: Stecker und Lötstellen prüfen, andere Programme schließen oder einen größeren Puffer nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>CoreServices</name>
+    <message>
+        <source>Simulator: %1</source>
+        <translation>Simulator: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Export</name>
+    <message>
+        <source>BVH</source>
+        <translation>BVH</translation>
+    </message>
+    <message>
+        <source>Choose where the file goes.</source>
+        <translation>Wählen Sie, wohin die Datei soll.</translation>
+    </message>
+    <message>
+        <source>The folder %1 does not exist. Choose another one.</source>
+        <translation>Den Ordner %1 gibt es nicht. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder. Give the file a name.</source>
+        <translation>%1 ist ein Ordner. Geben Sie der Datei einen Namen.</translation>
+    </message>
+    <message>
+        <source>You may not write into %1. Choose another folder.</source>
+        <translation>Sie dürfen nicht in %1 schreiben. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The name must end in %1, or other programs will not find the file.</source>
+        <translation>Der Name muss auf %1 enden, sonst finden andere Programme die Datei nicht.</translation>
+    </message>
+    <message>
+        <source>Skeleton and motion as text, for Blender, Maya, MotionBuilder and others</source>
+        <translation>Skelett und Bewegung als Text, für Blender, Maya, MotionBuilder und andere</translation>
+    </message>
+</context>
+<context>
+    <name>Format</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>over 9 days</source>
+        <translation>über 9 Tage</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>%1 dB</source>
+        <translation>%1 dB</translation>
+    </message>
+    <message>
+        <source>The take needs a name.</source>
+        <translation>Der Take braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>A take&apos;s name has no slash and does not start with a dot.</source>
+        <translation>Der Name eines Takes enthält keinen Schrägstrich und beginnt nicht mit einem Punkt.</translation>
+    </message>
+    <message>
+        <source>This name is too long for the disk.</source>
+        <translation>Dieser Name ist zu lang für die Platte.</translation>
+    </message>
+    <message>
+        <source>There is a take of this name already. Choose another one.</source>
+        <translation>Einen Take dieses Namens gibt es schon. Wählen Sie einen anderen.</translation>
+    </message>
+</context>
+<context>
+    <name>Health</name>
+    <message>
+        <source>not heard yet</source>
+        <translation>noch nicht gehört</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>reads nothing; check that the sensor is plugged in</source>
+        <translation>misst nichts; prüfen Sie, ob der Sensor eingesteckt ist</translation>
+    </message>
+    <message>
+        <source>no readings yet</source>
+        <translation>noch keine Messwerte</translation>
+    </message>
+    <message>
+        <source>works, but was never calibrated; calibrate its range</source>
+        <translation>arbeitet, wurde aber nie kalibriert; kalibrieren Sie seinen Messbereich</translation>
+    </message>
+</context>
+<context>
+    <name>LatencyText</name>
+    <message>
+        <source>sensor to screen %1 ms mean, %2 ms for 95 %, %3 ms at most</source>
+        <translation>vom Sensor bis zum Bildschirm im Mittel %1 ms, bei 95 % %2 ms, höchstens %3 ms</translation>
+    </message>
+    <message>
+        <source>From the board&apos;s reading of its oldest sensor to the finished picture: %1 ms on average, %2 ms for 95 of 100 poses, %3 ms at most (%4 poses).</source>
+        <translation>Vom Ablesen des ältesten Sensors auf der Platine bis zum fertigen Bild: im Mittel %1 ms, bei 95 von 100 Posen %2 ms, höchstens %3 ms (%4 Posen).</translation>
+    </message>
+    <message>
+        <source>From the board&apos;s reading of its oldest sensor to the solved pose (nothing is drawn): %1 ms on average, %2 ms for 95 of 100 poses, %3 ms at most (%4 poses).</source>
+        <translation>Vom Ablesen des ältesten Sensors auf der Platine bis zur berechneten Pose (gezeichnet wird nichts): im Mittel %1 ms, bei 95 von 100 Posen %2 ms, höchstens %3 ms (%4 Posen).</translation>
+    </message>
+    <message>
+        <source>On average: one round of the board %1 ms, waiting for samples %2 ms, solving %3 ms, handing over %4 ms, drawing %5 ms.</source>
+        <translation>Im Mittel: ein Umlauf der Platine %1 ms, Warten auf Abtastwerte %2 ms, Berechnen %3 ms, Übergabe %4 ms, Zeichnen %5 ms.</translation>
+    </message>
+    <message>
+        <source>Not counted: the sound card&apos;s own buffer (%1 ms) and what the screen itself needs.</source>
+        <translation>Nicht mitgezählt: der Puffer der Soundkarte (%1 ms) und was der Bildschirm selbst braucht.</translation>
+    </message>
+</context>
+<context>
+    <name>LevelAdvice</name>
+    <message>
+        <source>Nothing comes in</source>
+        <translation>Es kommt nichts an</translation>
+    </message>
+    <message>
+        <source>Check the cable, that the board has power, and that this is the input it is plugged into.</source>
+        <translation>Prüfen Sie das Kabel, ob die Platine Strom hat und ob sie in diesem Eingang steckt.</translation>
+    </message>
+    <message>
+        <source>This does not sound like the board</source>
+        <translation>Das klingt nicht nach der Platine</translation>
+    </message>
+    <message>
+        <source>Choose the line input, not the microphone; use a stereo cable; switch off echo cancelling and noise suppression of the sound system.</source>
+        <translation>Wählen Sie den Line-Eingang, nicht das Mikrofon; nehmen Sie ein Stereokabel; schalten Sie Echo- und Rauschunterdrückung des Soundsystems aus.</translation>
+    </message>
+    <message>
+        <source>Listening</source>
+        <translation>Hört zu</translation>
+    </message>
+    <message>
+        <source>The line is being judged; this takes about a second.</source>
+        <translation>Die Leitung wird beurteilt; das dauert etwa eine Sekunde.</translation>
+    </message>
+    <message>
+        <source>Too high</source>
+        <translation>Zu hoch</translation>
+    </message>
+    <message>
+        <source>Turn the recording volume down a little, or quick movements will clip.</source>
+        <translation>Regeln Sie die Aufnahmelautstärke etwas herunter, sonst übersteuern schnelle Bewegungen.</translation>
+    </message>
+    <message>
+        <source>Too low</source>
+        <translation>Zu niedrig</translation>
+    </message>
+    <message>
+        <source>Turn the recording volume up until the bar stands in the green zone; now it is at %1.</source>
+        <translation>Regeln Sie die Aufnahmelautstärke herauf, bis der Balken im grünen Bereich steht; jetzt sind es %1.</translation>
+    </message>
+    <message>
+        <source>Level is good</source>
+        <translation>Der Pegel ist gut</translation>
+    </message>
+    <message>
+        <source>No device is open</source>
+        <translation>Kein Gerät ist offen</translation>
+    </message>
+    <message>
+        <source>Choose one above.</source>
+        <translation>Wählen Sie oben eines.</translation>
+    </message>
+    <message>
+        <source>The device has stopped sending</source>
+        <translation>Das Gerät sendet nicht mehr</translation>
+    </message>
+    <message>
+        <source>Plug it in again, look for devices again, and choose it once more.</source>
+        <translation>Stecken Sie es wieder ein, suchen Sie erneut nach Geräten und wählen Sie es noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>Motions</name>
+    <message>
+        <source>Waving</source>
+        <translation>Winken</translation>
+    </message>
+    <message>
+        <source>Quick turns of the forearm</source>
+        <translation>Schnelle Drehungen des Unterarms</translation>
+    </message>
+    <message>
+        <source>Arm raises</source>
+        <translation>Arm heben</translation>
+    </message>
+    <message>
+        <source>Slow and exact</source>
+        <translation>Langsam und genau</translation>
+    </message>
+    <message>
+        <source>Reaching for a glass</source>
+        <translation>Nach einem Glas greifen</translation>
+    </message>
+    <message>
+        <source>All segments at once</source>
+        <translation>Alle Glieder zugleich</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>Gehen</translation>
+    </message>
+    <message>
+        <source>The arm swings along</source>
+        <translation>Der Arm schwingt mit</translation>
+    </message>
+    <message>
+        <source>Boxing</source>
+        <translation>Boxen</translation>
+    </message>
+    <message>
+        <source>Hard accelerations</source>
+        <translation>Harte Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>Every joint</source>
+        <translation>Jedes Gelenk</translation>
+    </message>
+    <message>
+        <source>One after another</source>
+        <translation>Eines nach dem anderen</translation>
+    </message>
+    <message>
+        <source>Still poses</source>
+        <translation>Ruhige Haltungen</translation>
+    </message>
+    <message>
+        <source>For measuring accuracy</source>
+        <translation>Zum Messen der Genauigkeit</translation>
+    </message>
+    <message>
+        <source>From the simulator</source>
+        <translation>Aus dem Simulator</translation>
+    </message>
+</context>
+<context>
+    <name>Quality</name>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1: only %2 of the readings are usable.</source>
+        <translation>%1: nur %2 der Messwerte sind brauchbar.</translation>
+    </message>
+    <message>
+        <source>Check its plug and cable, and that the level does not clip.</source>
+        <translation>Prüfen Sie Stecker und Kabel und dass der Pegel nicht übersteuert.</translation>
+    </message>
+    <message>
+        <source>%1: reads %2 g at rest instead of 1.</source>
+        <translation>%1: misst in Ruhe %2 g statt 1.</translation>
+    </message>
+    <message>
+        <source>Calibrate its range: turn it slowly about all axes.</source>
+        <translation>Kalibrieren Sie seinen Messbereich: Drehen Sie ihn langsam um alle Achsen.</translation>
+    </message>
+    <message>
+        <source>Calibrate its range again when you have a minute.</source>
+        <translation>Kalibrieren Sie seinen Messbereich neu, wenn Sie eine Minute haben.</translation>
+    </message>
+    <message>
+        <source>%1: gravity alone explains only %2 of the readings.</source>
+        <translation>%1: die Schwerkraft allein erklärt nur %2 der Messwerte.</translation>
+    </message>
+    <message>
+        <source>The limb moved fast. Bridging or stronger smoothing helps.</source>
+        <translation>Das Glied bewegte sich schnell. Überbrücken oder stärkeres Glätten hilft.</translation>
+    </message>
+    <message>
+        <source>%1: good.</source>
+        <translation>%1: gut.</translation>
+    </message>
+    <message>
+        <source>No signal was found on the line.</source>
+        <translation>Auf der Leitung wurde kein Signal gefunden.</translation>
+    </message>
+    <message>
+        <source>Check that the recording is of the sensor board, in stereo.</source>
+        <translation>Prüfen Sie, ob die Aufnahme von der Sensorplatine stammt und stereo ist.</translation>
+    </message>
+    <message>
+        <source>%1 of the signal was lost.</source>
+        <translation>%1 des Signals gingen verloren.</translation>
+    </message>
+    <message>
+        <source>Look at the events on the timeline for when, and check plugs and levels.</source>
+        <translation>Wann, zeigen die Ereignisse auf der Zeitleiste; prüfen Sie Stecker und Pegel.</translation>
+    </message>
+    <message>
+        <source>%1 readings touched full scale.</source>
+        <translation>%1 Messwerte stießen an die Aussteuerungsgrenze.</translation>
+    </message>
+    <message>
+        <source>Turn the recording level down before the next take.</source>
+        <translation>Regeln Sie vor dem nächsten Take den Aufnahmepegel herunter.</translation>
+    </message>
+    <message>
+        <source>The line was heard without loss.</source>
+        <translation>Die Leitung wurde ohne Verlust gehört.</translation>
+    </message>
+    <message>
+        <source>%1 readings a second, clock jitter %2 %</source>
+        <translation>%1 Messungen je Sekunde, Taktzittern %2 %</translation>
+    </message>
+    <message>
+        <source>%1 cycles heard, %2 lost</source>
+        <translation>%1 Zyklen gehört, %2 verloren</translation>
+    </message>
+    <message>
+        <source>Coupling of the sound card %1 ± %2 Hz, undone</source>
+        <translation>Kopplung der Soundkarte %1 ± %2 Hz, herausgerechnet</translation>
+    </message>
+    <message>
+        <source>Coupling of the sound card %1 Hz, undone</source>
+        <translation>Kopplung der Soundkarte %1 Hz, herausgerechnet</translation>
+    </message>
+    <message>
+        <source>Noise %1 dB</source>
+        <translation>Rauschen %1 dB</translation>
+    </message>
+    <message>
+        <source>Left and right were swapped; taken care of</source>
+        <translation>Links und rechts waren vertauscht; berücksichtigt</translation>
+    </message>
+    <message>
+        <source>The signal came inverted; taken care of</source>
+        <translation>Das Signal kam umgepolt an; berücksichtigt</translation>
+    </message>
+    <message>
+        <source>At %1 s: %2</source>
+        <translation>Bei %1 s: %2</translation>
+    </message>
+    <message>
+        <source>Good: every sensor was heard and trusted.</source>
+        <translation>Gut: Jeder Sensor wurde gehört und war vertrauenswürdig.</translation>
+    </message>
+    <message>
+        <source>%1° mean, %2° at most</source>
+        <translation>%1° im Mittel, höchstens %2°</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>Anpassend</translation>
+    </message>
+    <message>
+        <source>Bridging</source>
+        <translation>Überbrückend</translation>
+    </message>
+    <message>
+        <source>Every frame by itself, as measured.</source>
+        <translation>Jedes Bild für sich, wie gemessen.</translation>
+    </message>
+    <message>
+        <source>Follows trusted readings closely and smooths the others. No lag.</source>
+        <translation>Folgt vertrauenswürdigen Messwerten eng und glättet die anderen. Ohne Verzug.</translation>
+    </message>
+    <message>
+        <source>As adaptive, and carries the limb on through bursts of acceleration.</source>
+        <translation>Wie anpassend, und führt das Glied durch Beschleunigungsstöße weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>SolveEntries</name>
+    <message>
+        <source>Solve</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>See the moving figure, judge it, key rotations</source>
+        <translation>Die bewegte Figur sehen, beurteilen, Drehungen setzen</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Frame the selection</source>
+        <translation>Auswahl ins Bild holen</translation>
+    </message>
+    <message>
+        <source>Shift+F / Shift+S / Shift+T</source>
+        <translation>Umschalt+F / Umschalt+S / Umschalt+T</translation>
+    </message>
+    <message>
+        <source>Look from the front, the side, the top</source>
+        <translation>Von vorn, von der Seite, von oben sehen</translation>
+    </message>
+    <message>
+        <source>Drag / Shift+drag / wheel</source>
+        <translation>Ziehen / Umschalt+Ziehen / Rad</translation>
+    </message>
+    <message>
+        <source>Turn, move, zoom the view</source>
+        <translation>Ansicht drehen, verschieben, vergrößern</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Write the motion to a file for other programs</source>
+        <translation>Die Bewegung für andere Programme in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Strg+E</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>J / K / L</source>
+        <translation>J / K / L</translation>
+    </message>
+    <message>
+        <source>Play backwards, stop, play forwards; again: faster</source>
+        <translation>Rückwärts, anhalten, vorwärts; nochmals: schneller</translation>
+    </message>
+    <message>
+        <source>Left / Right</source>
+        <translation>Links / Rechts</translation>
+    </message>
+    <message>
+        <source>One frame back or on; with Shift ten</source>
+        <translation>Ein Bild zurück oder vor; mit Umschalt zehn</translation>
+    </message>
+    <message>
+        <source>Up / Down</source>
+        <translation>Auf / Ab</translation>
+    </message>
+    <message>
+        <source>To the key before or after</source>
+        <translation>Zum Schlüssel davor oder danach</translation>
+    </message>
+    <message>
+        <source>Home / End</source>
+        <translation>Pos1 / Ende</translation>
+    </message>
+    <message>
+        <source>To the start or the end</source>
+        <translation>Zum Anfang oder Ende</translation>
+    </message>
+    <message>
+        <source>Shift+Home</source>
+        <translation>Umschalt+Pos1</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation>Den ganzen Clip zeigen</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Set a key for the selected bone</source>
+        <translation>Schlüssel für den gewählten Knochen setzen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Die gewählten Schlüssel löschen</translation>
+    </message>
+    <message>
+        <source>Alt+Left / Alt+Right</source>
+        <translation>Alt+Links / Alt+Rechts</translation>
+    </message>
+    <message>
+        <source>Move the selected keys by a frame</source>
+        <translation>Die gewählten Schlüssel um ein Bild verschieben</translation>
+    </message>
+    <message>
+        <source>Alt+Up / Alt+Down</source>
+        <translation>Alt+Auf / Alt+Ab</translation>
+    </message>
+    <message>
+        <source>Turn the selected keys by 1°; with Shift by 0.1°</source>
+        <translation>Die gewählten Schlüssel um 1° drehen; mit Umschalt um 0,1°</translation>
+    </message>
+</context>
+<context>
+    <name>SolveTimeline</name>
+    <message>
+        <source>Select a bone, then press I to key its rotation about the vertical.</source>
+        <translation>Wählen Sie einen Knochen und drücken Sie I, um seine Drehung um die Senkrechte zu setzen.</translation>
+    </message>
+    <message>
+        <source>Keys of the bones appear here once a take is solved.</source>
+        <translation>Die Schlüssel der Knochen erscheinen hier, sobald ein Take berechnet ist.</translation>
+    </message>
+</context>
+<context>
+    <name>StatusFacts</name>
+    <message>
+        <source>not recording</source>
+        <translation>keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Nothing is being recorded.</source>
+        <translation>Es wird nichts aufgenommen.</translation>
+    </message>
+    <message>
+        <source>recording stopped</source>
+        <translation>Aufnahme beendet</translation>
+    </message>
+    <message>
+        <source>closing the take</source>
+        <translation>Take wird geschlossen</translation>
+    </message>
+    <message>
+        <source>The last samples are being written.</source>
+        <translation>Die letzten Werte werden geschrieben.</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>Times at which the device lost samples: %1. Close other programs, or choose a lower rate.</source>
+        <translation>So oft hat das Gerät Werte verloren: %1. Schließen Sie andere Programme oder wählen Sie eine niedrigere Rate.</translation>
+    </message>
+    <message>
+        <source>Recording. No sample has been lost.</source>
+        <translation>Aufnahme läuft. Kein Wert ging verloren.</translation>
+    </message>
+    <message>
+        <source>(losing samples)</source>
+        <translation>(verliert Werte)</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>device lost</source>
+        <translation>Gerät verloren</translation>
+    </message>
+    <message>
+        <source>disk –</source>
+        <translation>Platte –</translation>
+    </message>
+    <message>
+        <source>disk %1</source>
+        <translation>Platte %1</translation>
+    </message>
+    <message>
+        <source>The disk is full after %1 of recording. Free some space or choose another folder.</source>
+        <translation>Nach %1 Aufnahme ist die Platte voll. Schaffen Sie Platz oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The disk has room for %1 of recording.</source>
+        <translation>Die Platte hat Platz für %1 Aufnahme.</translation>
+    </message>
+    <message>
+        <source>sensors –</source>
+        <translation>Sensoren –</translation>
+    </message>
+    <message>
+        <source>Known while a device is open.</source>
+        <translation>Bekannt, solange ein Gerät offen ist.</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2</source>
+        <translation>Sensor %1: %2</translation>
+    </message>
+    <message>
+        <source>All sensors send plausible accelerations.</source>
+        <translation>Alle Sensoren senden plausible Beschleunigungen.</translation>
+    </message>
+    <message>
+        <source>The sensors have not been heard yet.</source>
+        <translation>Die Sensoren wurden noch nicht gehört.</translation>
+    </message>
+    <message>
+        <source>sensors %1/%2</source>
+        <translation>Sensoren %1/%2</translation>
+    </message>
+    <message>
+        <source>sync –</source>
+        <translation>Takt –</translation>
+    </message>
+    <message>
+        <source>no signal</source>
+        <translation>kein Signal</translation>
+    </message>
+    <message>
+        <source>The device has stopped sending.</source>
+        <translation>Das Gerät sendet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>sync %1 Hz</source>
+        <translation>Takt %1 Hz</translation>
+    </message>
+    <message>
+        <source>In step with the board; cycles lost since the start: %1.</source>
+        <translation>Im Takt mit der Platine; verlorene Zyklen seit dem Start: %1.</translation>
+    </message>
+    <message>
+        <source>In step with the board; no cycle has been lost.</source>
+        <translation>Im Takt mit der Platine; kein Zyklus ging verloren.</translation>
+    </message>
+    <message>
+        <source>no sync</source>
+        <translation>kein Takt</translation>
+    </message>
+    <message>
+        <source>The board&apos;s clock is not heard on the right channel. Look at the scope.</source>
+        <translation>Der Takt der Platine ist auf dem rechten Kanal nicht zu hören. Sehen Sie auf das Oszilloskop.</translation>
+    </message>
+    <message>
+        <source>listening</source>
+        <translation>hört zu</translation>
+    </message>
+    <message>
+        <source>Looking for the board&apos;s clock.</source>
+        <translation>Sucht den Takt der Platine.</translation>
+    </message>
+    <message>
+        <source>latency –</source>
+        <translation>Verzug –</translation>
+    </message>
+    <message>
+        <source>From the sensor to the screen, beyond the device&apos;s own buffer; known while a skeleton is shown live.</source>
+        <translation>Vom Sensor bis zum Bildschirm, jenseits des Gerätepuffers; bekannt, solange ein Skelett live gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>latency %1 ms</source>
+        <translation>Verzug %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>TakeCalibrationCommand</name>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Saving the take</source>
+        <translation>Take wird gespeichert</translation>
+    </message>
+    <message>
+        <source>The calibration is not saved in the take</source>
+        <translation>Die Kalibrierung ist nicht im Take gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>Workspaces</name>
+    <message>
+        <source>Capture</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Choose a device, check levels, record</source>
+        <translation>Gerät wählen, Pegel prüfen, aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::BoneCard</name>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Selected bone</source>
+        <translation>Gewählter Knochen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Length of the bone in millimetres</source>
+        <translation>Länge des Knochens in Millimetern</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Rotation about the vertical at the playhead in degrees</source>
+        <translation>Drehung um die Senkrechte an der Abspielmarke in Grad</translation>
+    </message>
+    <message>
+        <source>Sets a key at the playhead</source>
+        <translation>Setzt einen Schlüssel an der Abspielmarke</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Set key</source>
+        <translation>Schlüssel setzen</translation>
+    </message>
+    <message>
+        <source>Sets a key of the rotation at the playhead (I)</source>
+        <translation>Setzt an der Abspielmarke einen Schlüssel der Drehung (I)</translation>
+    </message>
+    <message>
+        <source>Delete key</source>
+        <translation>Schlüssel löschen</translation>
+    </message>
+    <message>
+        <source>Deletes the selected keys (Del)</source>
+        <translation>Löscht die gewählten Schlüssel (Entf)</translation>
+    </message>
+    <message>
+        <source>Keys of the rotation about the vertical</source>
+        <translation>Schlüssel der Drehung um die Senkrechte</translation>
+    </message>
+    <message>
+        <source>No skeleton yet</source>
+        <translation>Noch kein Skelett</translation>
+    </message>
+    <message>
+        <source>Choose a bone</source>
+        <translation>Wählen Sie einen Knochen</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>Click a bone in the view, or choose one here.</source>
+        <translation>Klicken Sie in der Ansicht auf einen Knochen oder wählen Sie hier einen.</translation>
+    </message>
+    <message>
+        <source>No sensor is worn here: it follows its parent.</source>
+        <translation>Hier wird kein Sensor getragen: Er folgt seinem Elternknochen.</translation>
+    </message>
+    <message>
+        <source>Rotations can be keyed once the take is solved.</source>
+        <translation>Drehungen lassen sich setzen, sobald der Take berechnet ist.</translation>
+    </message>
+    <message>
+        <source>About the vertical, which gravity cannot tell. Turning it sets a key at the playhead.</source>
+        <translation>Um die Senkrechte, die die Schwerkraft nicht verrät. Drehen setzt einen Schlüssel an der Abspielmarke.</translation>
+    </message>
+    <message>
+        <source>%1    %2°</source>
+        <translation>%1    %2°</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CalibrateHistory</name>
+    <message>
+        <source>Library: %1</source>
+        <translation>Bibliothek: %1</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Select a sensor to see its calibrations.</source>
+        <translation>Wählen Sie einen Sensor, um seine Kalibrierungen zu sehen.</translation>
+    </message>
+    <message>
+        <source>No serial: known by its place on the board.</source>
+        <translation>Ohne Seriennummer: am Platz auf der Platine erkannt.</translation>
+    </message>
+    <message>
+        <source>Serial %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Befestigung</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Go back to this calibration</source>
+        <translation>Zu dieser Kalibrierung zurückkehren</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CalibrateOverview</name>
+    <message>
+        <source>Calibrate range</source>
+        <translation>Bereich kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate mounting</source>
+        <translation>Befestigung kalibrieren</translation>
+    </message>
+    <message>
+        <source>Compute from this take</source>
+        <translation>Aus diesem Take berechnen</translation>
+    </message>
+    <message>
+        <source>Use the library&apos;s calibration</source>
+        <translation>Kalibrierung der Bibliothek verwenden</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Range: residual of gravity</source>
+        <translation>Bereich: Rest gegen die Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Mounting: angle between the poses, 90° is right</source>
+        <translation>Befestigung: Winkel zwischen den Posen, richtig sind 90°</translation>
+    </message>
+    <message>
+        <source>Running capture: %1.</source>
+        <translation>Laufende Erfassung: %1.</translation>
+    </message>
+    <message>
+        <source>Take: %1.</source>
+        <translation>Take: %1.</translation>
+    </message>
+    <message>
+        <source> Worn by %1.</source>
+        <translation> Getragen von %1.</translation>
+    </message>
+    <message>
+        <source>Range of all sensors</source>
+        <translation>Bereich aller Sensoren</translation>
+    </message>
+    <message>
+        <source>Mounting: %1</source>
+        <translation>Befestigung: %1</translation>
+    </message>
+    <message>
+        <source>This take has no stretch in which sensors are turned or poses held.</source>
+        <translation>In diesem Take gibt es keinen Abschnitt, in dem Sensoren gedreht oder Posen gehalten werden.</translation>
+    </message>
+    <message>
+        <source>The newest of every sensor and of this wearer&apos;s mountings</source>
+        <translation>Die neueste jedes Sensors und der Befestigungen dieser Person</translation>
+    </message>
+    <message>
+        <source>The library knows none of these sensors yet.</source>
+        <translation>Die Bibliothek kennt noch keinen dieser Sensoren.</translation>
+    </message>
+    <message>
+        <source>no serial</source>
+        <translation>ohne Seriennummer</translation>
+    </message>
+    <message>
+        <source>Everything is calibrated</source>
+        <translation>Alles ist kalibriert</translation>
+    </message>
+    <message>
+        <source>Range: %1 of %3.  Mounting: %2 of %3.</source>
+        <translation>Bereich: %1 von %3.  Befestigung: %2 von %3.</translation>
+    </message>
+    <message>
+        <source>Next: calibrate the range, once in a sensor&apos;s life. Uncalibrated sensors may point 6° or more beside the truth.</source>
+        <translation>Als Nächstes: den Bereich kalibrieren, einmal im Leben eines Sensors. Nicht kalibrierte Sensoren können um 6° und mehr danebenliegen.</translation>
+    </message>
+    <message>
+        <source>Next: put the sensors on and calibrate the mounting.</source>
+        <translation>Als Nächstes: die Sensoren anlegen und die Befestigung kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Repeat: %1.</source>
+        <translation>Wiederholen: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Calibrate the mounting again whenever the sensors are put on anew or have slipped.</source>
+        <translation>Kalibrieren Sie die Befestigung neu, sobald die Sensoren neu angelegt wurden oder verrutscht sind.</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CalibrateWorkspace</name>
+    <message>
+        <source>Nothing to calibrate yet</source>
+        <translation>Noch nichts zu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Open a device in Capture to calibrate its sensors, or open a take to look at its calibration and compute it anew.</source>
+        <translation>Öffnen Sie unter „Aufnehmen“ ein Gerät, um seine Sensoren zu kalibrieren, oder öffnen Sie einen Take, um seine Kalibrierung anzusehen und neu zu berechnen.</translation>
+    </message>
+    <message>
+        <source>Open a device in Capture</source>
+        <translation>Gerät unter „Aufnehmen“ öffnen</translation>
+    </message>
+    <message>
+        <source>Choose a take</source>
+        <translation>Take wählen</translation>
+    </message>
+    <message>
+        <source>Range calibration</source>
+        <translation>Bereichskalibrierung</translation>
+    </message>
+    <message>
+        <source>Mounting calibration</source>
+        <translation>Befestigungskalibrierung</translation>
+    </message>
+    <message>
+        <source>Range calibration from %1</source>
+        <translation>Bereichskalibrierung aus %1</translation>
+    </message>
+    <message>
+        <source>Mounting calibration from %1</source>
+        <translation>Befestigungskalibrierung aus %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is saved and in use.</source>
+        <translation>%1 von %2 ist gespeichert und in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Find each sensor&apos;s zero and scale, and how it sits on its limb</source>
+        <translation>Nullpunkt und Empfindlichkeit jedes Sensors finden, und wie er am Körper sitzt</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Next step of a calibration</source>
+        <translation>Nächster Schritt einer Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Leave a calibration, asking first</source>
+        <translation>Eine Kalibrierung verlassen, nach Rückfrage</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CalibrationDesk</name>
+    <message>
+        <source>The raw signals are not kept: %1</source>
+        <translation>Die Rohsignale werden nicht aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>Reading the calibration library</source>
+        <translation>Kalibrierungsbibliothek wird gelesen</translation>
+    </message>
+    <message>
+        <source>Saving the calibration</source>
+        <translation>Kalibrierung wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Raw signals are kept in %1</source>
+        <translation>Die Rohsignale werden in %1 aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The raw signals are not kept in a take of their own: the capture records already, or it cannot record. The calibration itself goes on.</source>
+        <translation>Die Rohsignale kommen nicht in einen eigenen Take: die Erfassung nimmt schon auf oder kann nicht aufnehmen. Die Kalibrierung selbst geht weiter.</translation>
+    </message>
+    <message>
+        <source>Closing the calibration&apos;s take</source>
+        <translation>Take der Kalibrierung wird geschlossen</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s take has no segments</source>
+        <translation>Der Take der Kalibrierung hat keine Abschnitte</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CaptureModel</name>
+    <message>
+        <source>Rig %1</source>
+        <translation>Rig %1</translation>
+    </message>
+    <message>
+        <source>Looking for devices</source>
+        <translation>Sucht nach Geräten</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Marke %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CaptureWorkspace</name>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Use the simulator</source>
+        <translation>Simulator benutzen</translation>
+    </message>
+    <message>
+        <source>Record, or stop recording</source>
+        <translation>Aufnehmen oder Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Set a marker</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>Look for devices again</source>
+        <translation>Erneut nach Geräten suchen</translation>
+    </message>
+    <message>
+        <source>Looking for devices</source>
+        <translation>Sucht nach Geräten</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>%1 lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>The sound system does not answer</source>
+        <translation>Das Soundsystem antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Choose a device</source>
+        <translation>Wählen Sie ein Gerät</translation>
+    </message>
+    <message>
+        <source>Choose above the line input that the board is plugged into. Levels and signals show at once; nothing is recorded before you say so.</source>
+        <translation>Wählen Sie oben den Line-Eingang, in dem die Platine steckt. Pegel und Signale erscheinen sofort; aufgenommen wird erst, wenn Sie es sagen.</translation>
+    </message>
+    <message>
+        <source>No sound card with a stereo input was found</source>
+        <translation>Keine Soundkarte mit Stereoeingang gefunden</translation>
+    </message>
+    <message>
+        <source>Plug in a sound card with a stereo line input and look again. A microphone input is mono and does not do. Without hardware, the simulator is a device as well.</source>
+        <translation>Stecken Sie eine Soundkarte mit Stereo-Line-Eingang ein und suchen Sie erneut. Ein Mikrofoneingang ist mono und genügt nicht. Ohne Hardware dient auch der Simulator als Gerät.</translation>
+    </message>
+    <message>
+        <source>%1 is recorded: %2.</source>
+        <translation>%1 ist aufgenommen: %2.</translation>
+    </message>
+    <message>
+        <source>Solve it</source>
+        <translation>Berechnen</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CurvesPanel</name>
+    <message>
+        <source>Inclination and trust of every sensor</source>
+        <translation>Neigung und Vertrauen jedes Sensors</translation>
+    </message>
+    <message>
+        <source>Elevation of the bone, −90° to 90°</source>
+        <translation>Erhebung des Knochens, −90° bis 90°</translation>
+    </message>
+    <message>
+        <source>Trust</source>
+        <translation>Vertrauen</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ExportPreview</name>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Only the open solve is shown here. Open this one in Solve to see it.</source>
+        <translation>Hier wird nur die offene Berechnung gezeigt. Öffnen Sie diese unter „Berechnen“, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>Joint in the file</source>
+        <translation>Gelenk in der Datei</translation>
+    </message>
+    <message>
+        <source>Bone length</source>
+        <translation>Knochenlänge</translation>
+    </message>
+    <message>
+        <source>Joints of the file</source>
+        <translation>Gelenke der Datei</translation>
+    </message>
+    <message>
+        <source>Preview of the file</source>
+        <translation>Vorschau der Datei</translation>
+    </message>
+    <message>
+        <source>in metres</source>
+        <translation>in Metern</translation>
+    </message>
+    <message>
+        <source>in centimetres</source>
+        <translation>in Zentimetern</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Hz</source>
+        <translation>%1 mit %2 Hz</translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3</source>
+        <translation>%1, von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ExportWorkspace</name>
+    <message>
+        <source>Go to Solve</source>
+        <translation>Zum Berechnen</translation>
+    </message>
+    <message>
+        <source>%1 frames a second</source>
+        <translation>%1 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Another rate</source>
+        <translation>Andere Rate</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Centimetres (most programs)</source>
+        <translation>Zentimeter (die meisten Programme)</translation>
+    </message>
+    <message>
+        <source>Metres (Blender&apos;s own)</source>
+        <translation>Meter (Blenders eigene)</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Längeneinheit</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Write the file (Ctrl+E)</source>
+        <translation>Die Datei schreiben (Strg+E)</translation>
+    </message>
+    <message>
+        <source>No take is open</source>
+        <translation>Kein Take ist offen</translation>
+    </message>
+    <message>
+        <source>The take is being solved</source>
+        <translation>Der Take wird berechnet</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet</source>
+        <translation>Noch ist nichts berechnet</translation>
+    </message>
+    <message>
+        <source>Open or capture one first.</source>
+        <translation>Öffnen Sie erst einen oder nehmen Sie einen auf.</translation>
+    </message>
+    <message>
+        <source>It can be exported in a moment.</source>
+        <translation>Er lässt sich gleich ausgeben.</translation>
+    </message>
+    <message>
+        <source>Solve the take first.</source>
+        <translation>Berechnen Sie erst den Take.</translation>
+    </message>
+    <message>
+        <source>%1 (open, with your edits)</source>
+        <translation>%1 (offen, mit Ihren Änderungen)</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2, %3 bones.</source>
+        <translation>%1 Bilder, %2, %3 Knochen.</translation>
+    </message>
+    <message>
+        <source> The file exists and will be replaced.</source>
+        <translation> Die Datei gibt es schon; sie wird ersetzt.</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Ausgeben nach</translation>
+    </message>
+    <message>
+        <source>%1 (*%2)</source>
+        <translation>%1 (*%2)</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird ausgegeben</translation>
+    </message>
+    <message>
+        <source>Written and read back: %1</source>
+        <translation>Geschrieben und zurückgelesen: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 frames at %3 Hz, %4, %5 bones, in %6</source>
+        <translation>%1, %2 Bilder mit %3 Hz, %4, %5 Knochen, in %6</translation>
+    </message>
+    <message>
+        <source>Export cancelled.</source>
+        <translation>Ausgabe abgebrochen.</translation>
+    </message>
+    <message>
+        <source>No file was left behind.</source>
+        <translation>Es blieb keine Datei zurück.</translation>
+    </message>
+    <message>
+        <source>Not exported. %1</source>
+        <translation>Nicht ausgegeben. %1</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Everything (%1)</source>
+        <translation>Alles (%1)</translation>
+    </message>
+    <message>
+        <source>What the timeline shows (%1 to %2)</source>
+        <translation>Was die Zeitleiste zeigt (%1 bis %2)</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::JobBar</name>
+    <message>
+        <source>stopping</source>
+        <translation>hält an</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Abbrechen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::KeyEditor</name>
+    <message>
+        <source>set key of %1</source>
+        <translation>Schlüssel von %1 setzen</translation>
+    </message>
+    <message>
+        <source>change key of %1</source>
+        <translation>Schlüssel von %1 ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>move %n key(s)</source>
+        <translation>
+            <numerusform>%n Schlüssel verschieben</numerusform>
+            <numerusform>%n Schlüssel verschieben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>turn %n key(s)</source>
+        <translation>
+            <numerusform>%n Schlüssel drehen</numerusform>
+            <numerusform>%n Schlüssel drehen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n key(s)</source>
+        <translation>
+            <numerusform>%n Schlüssel löschen</numerusform>
+            <numerusform>%n Schlüssel löschen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::LevelMeter</name>
+    <message>
+        <source>clips</source>
+        <translation>übersteuert</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::LevelPanel</name>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Left: accelerations</source>
+        <translation>Links: Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>Right: clock</source>
+        <translation>Rechts: Takt</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::LimbHoldPage</name>
+    <message>
+        <source>Check: %1</source>
+        <translation>Prüfung: %1</translation>
+    </message>
+    <message>
+        <source>Pose %1 of 2: %2</source>
+        <translation>Pose %1 von 2: %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Take this pose</source>
+        <translation>Diese Pose nehmen</translation>
+    </message>
+    <message>
+        <source>Go on without %1</source>
+        <translation>Ohne %1 weitermachen</translation>
+    </message>
+    <message>
+        <source>Take the stillest second (%1)</source>
+        <translation>Die ruhigste Sekunde nehmen (%1)</translation>
+    </message>
+    <message>
+        <source>Signal lost</source>
+        <translation>Signal verloren</translation>
+    </message>
+    <message>
+        <source>The device stopped sending. Plug it in again and open it in Capture.</source>
+        <translation>Das Gerät sendet nicht mehr. Stecken Sie es wieder ein und öffnen Sie es unter „Aufnehmen“.</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>No signal: %1</source>
+        <translation>Kein Signal: %1</translation>
+    </message>
+    <message>
+        <source>Check the cable and plug of %1, or go on without.</source>
+        <translation>Prüfen Sie Kabel und Stecker von %1, oder machen Sie ohne weiter.</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Stillhalten</translation>
+    </message>
+    <message>
+        <source>Good, stay like this.</source>
+        <translation>Gut, so bleiben.</translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>Moves: %1</source>
+        <translation>Bewegt sich: %1</translation>
+    </message>
+    <message>
+        <source>Rest it against something, breathe out and hold. It is taken as soon as all are still.</source>
+        <translation>Anlehnen, ausatmen und halten. Die Pose wird genommen, sobald alle ruhig sind.</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>bewegt sich</translation>
+    </message>
+    <message>
+        <source>One still second is enough.</source>
+        <translation>Eine ruhige Sekunde genügt.</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::LimbWizard</name>
+    <message>
+        <source>Calibrate mounting</source>
+        <translation>Befestigung kalibrieren</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Which limb, and which of its sensors?</source>
+        <translation>Welche Gliedmaße und welche ihrer Sensoren?</translation>
+    </message>
+    <message>
+        <source>Mounting calibration finds how every sensor sits on its limb, from two poses a right angle apart. It is done each time the sensors are put on.</source>
+        <translation>Die Befestigungskalibrierung findet heraus, wie jeder Sensor an seiner Gliedmaße sitzt, aus zwei Posen im rechten Winkel zueinander. Sie wird nach jedem Anlegen gemacht.</translation>
+    </message>
+    <message>
+        <source>Who wears them</source>
+        <translation>Wer sie trägt</translation>
+    </message>
+    <message>
+        <source>Name (may stay empty)</source>
+        <translation>Name (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Calibrate their range first</source>
+        <translation>Zuerst ihren Bereich kalibrieren</translation>
+    </message>
+    <message>
+        <source>Open a device in Capture</source>
+        <translation>Gerät unter „Aufnehmen“ öffnen</translation>
+    </message>
+    <message>
+        <source>After Start you have the time below to take the first pose. It is captured by itself as soon as everything is still for a second; a sound tells, and the second pose follows. No key is needed.</source>
+        <translation>Nach „Start“ haben Sie so lange wie unten angegeben, um die erste Pose einzunehmen. Sie wird von selbst erfasst, sobald alles eine Sekunde lang ruhig ist; ein Ton meldet es, und die zweite Pose folgt. Eine Taste ist nicht nötig.</translation>
+    </message>
+    <message>
+        <source>Time to take a pose</source>
+        <translation>Zeit zum Einnehmen einer Pose</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Repeat both poses</source>
+        <translation>Beide Posen wiederholen</translation>
+    </message>
+    <message>
+        <source>The verdicts of %1 are not saved yet.</source>
+        <translation>Die Ergebnisse von %1 sind noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The pose that was held would not be used.</source>
+        <translation>Die gehaltene Pose würde nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>. Remedy: %1.</source>
+        <translation>. Abhilfe: %1.</translation>
+    </message>
+    <message>
+        <source>between poses</source>
+        <translation>zwischen den Posen</translation>
+    </message>
+    <message>
+        <source>%1 from 90°, held within %2.</source>
+        <translation>%1 neben 90°, auf %2 ruhig gehalten.</translation>
+    </message>
+    <message>
+        <source> The poses were not a right angle apart: each may be %1 off.</source>
+        <translation> Die Posen standen nicht im rechten Winkel: jede kann um %1 falsch sein.</translation>
+    </message>
+    <message>
+        <source> It moved while it was held.</source>
+        <translation> Er bewegte sich, während er gehalten wurde.</translation>
+    </message>
+    <message>
+        <source> It reads %1 g at rest: calibrate its range, or the volume was moved.</source>
+        <translation> In Ruhe zeigt er %1 g: den Bereich kalibrieren, oder die Lautstärke wurde verstellt.</translation>
+    </message>
+    <message>
+        <source>sits %1 from how the rig shows it</source>
+        <translation>sitzt %1 anders, als das Rig es zeigt</translation>
+    </message>
+    <message>
+        <source>attempt before: %1</source>
+        <translation>Versuch davor: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2, then %3</source>
+        <translation>%1: %2, dann %3</translation>
+    </message>
+    <message>
+        <source>Range never calibrated: %1. Their directions may be several degrees off.</source>
+        <translation>Bereich nie kalibriert: %1. Ihre Richtungen können um mehrere Grad falsch sein.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Signal: %1</source>
+        <translation>Signal: %1</translation>
+    </message>
+    <message>
+        <source>No signal comes in.</source>
+        <translation>Es kommt kein Signal.</translation>
+    </message>
+    <message>
+        <source>Limb</source>
+        <translation>Gliedmaße</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>First pose</source>
+        <translation>Erste Pose</translation>
+    </message>
+    <message>
+        <source>Second pose</source>
+        <translation>Zweite Pose</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Skip the wait</source>
+        <translation>Nicht warten</translation>
+    </message>
+    <message>
+        <source>Take the stillest second</source>
+        <translation>Die ruhigste Sekunde nehmen</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>%1 speichern</translation>
+    </message>
+    <message>
+        <source>Back to the verdict</source>
+        <translation>Zurück zum Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 calibrated</source>
+        <translation>%1 kalibriert</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 calibrated, repeat the others</source>
+        <translation>%1 von %2 kalibriert, die übrigen wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 %2; %3.</source>
+        <translation>%1 %2; %3.</translation>
+    </message>
+    <message>
+        <source>Check: hold &quot;%1&quot; again</source>
+        <translation>Prüfung: noch einmal „%1“ halten</translation>
+    </message>
+    <message>
+        <source>held within %1</source>
+        <translation>auf %1 ruhig gehalten</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>At most %1 off</source>
+        <translation>Höchstens %1 daneben</translation>
+    </message>
+    <message>
+        <source>Angle between gravity as each sensor now sees it on its limb and as the pose asks for. It holds the wearer&apos;s own inexactness too.</source>
+        <translation>Winkel zwischen der Schwerkraft, wie jeder Sensor sie nun an seiner Gliedmaße sieht, und wie die Pose sie verlangt. Darin steckt auch die Ungenauigkeit der Person.</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::LimbWizardModel</name>
+    <message>
+        <source>This rig names no poses. Add calibration groups to its file.</source>
+        <translation>Dieses Rig nennt keine Posen. Tragen Sie in seine Datei Kalibrierungsgruppen ein.</translation>
+    </message>
+    <message>
+        <source>Choose at least one sensor.</source>
+        <translation>Wählen Sie mindestens einen Sensor.</translation>
+    </message>
+    <message>
+        <source>No signal comes in. Open a device in Capture.</source>
+        <translation>Es kommt kein Signal. Öffnen Sie unter „Aufnehmen“ ein Gerät.</translation>
+    </message>
+    <message>
+        <source>Hold still: it goes on by itself.</source>
+        <translation>Stillhalten: es geht von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Nothing is accepted yet.</source>
+        <translation>Noch ist nichts angenommen.</translation>
+    </message>
+    <message>
+        <source>Computing the mounting</source>
+        <translation>Befestigung wird berechnet</translation>
+    </message>
+    <message>
+        <source>Checking the mounting</source>
+        <translation>Befestigung wird geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::LiveModel</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Closing %1</source>
+        <translation>%1 wird geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 has stopped sending.</source>
+        <translation>%1 sendet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Plug it in again, then choose it once more. What was recorded until now is kept.</source>
+        <translation>Stecken Sie es wieder ein und wählen Sie es noch einmal. Was bis jetzt aufgenommen wurde, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Making the take</source>
+        <translation>Take wird angelegt</translation>
+    </message>
+    <message>
+        <source>Closing the take</source>
+        <translation>Take wird geschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::MainWindow</name>
+    <message>
+        <source>Recent takes</source>
+        <translation>Letzte Takes</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>New take</source>
+        <translation>Neuer Take</translation>
+    </message>
+    <message>
+        <source>Open take…</source>
+        <translation>Take öffnen …</translation>
+    </message>
+    <message>
+        <source>Import recording…</source>
+        <translation>Aufnahme einlesen …</translation>
+    </message>
+    <message>
+        <source>Close take</source>
+        <translation>Take schließen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>● Recording – %1</source>
+        <translation>● Aufnahme – %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::MarkerPanel</name>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Set marker</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>Press M while recording.</source>
+        <translation>Drücken Sie M während der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Set a marker at this moment of the recording (M)</source>
+        <translation>An dieser Stelle der Aufnahme eine Marke setzen (M)</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::MessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ModeBar</name>
+    <message>
+        <source>Workspaces</source>
+        <translation>Arbeitsbereiche</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>The welcome page: demo takes, recent takes</source>
+        <translation>Die Startseite: Demo-Takes, letzte Takes</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::MovementBars</name>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>no signal</source>
+        <translation>kein Signal</translation>
+    </message>
+    <message>
+        <source>moves: %1</source>
+        <translation>bewegt sich: %1</translation>
+    </message>
+    <message>
+        <source>still: %1</source>
+        <translation>ruhig: %1</translation>
+    </message>
+    <message>
+        <source>still below %1</source>
+        <translation>ruhig unter %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::OverviewPanel</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>The signal cannot be shown</source>
+        <translation>Das Signal lässt sich nicht zeigen</translation>
+    </message>
+    <message>
+        <source>What is being recorded</source>
+        <translation>Was gerade aufgenommen wird</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::OverviewView</name>
+    <message>
+        <source>Recorded signal</source>
+        <translation>Aufgenommenes Signal</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move. Double click: show all.</source>
+        <translation>Rad: vergrößern. Ziehen: verschieben. Doppelklick: alles zeigen.</translation>
+    </message>
+    <message>
+        <source>The take is empty.</source>
+        <translation>Der Take ist leer.</translation>
+    </message>
+    <message>
+        <source>Reading the signal…</source>
+        <translation>Das Signal wird gelesen …</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::QualityCard</name>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Numbers appear here once the take is solved.</source>
+        <translation>Hier erscheinen Zahlen, sobald der Take berechnet ist.</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brauchbar</translation>
+    </message>
+    <message>
+        <source>trusted</source>
+        <translation>vertraut</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 g</source>
+        <translation>%1 g</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more finding(s)</source>
+        <translation>
+            <numerusform>und %n weiterer Befund</numerusform>
+            <numerusform>und %n weitere Befunde</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of take; decoded in %2 s, solved in %3 s</source>
+        <translation>%1 Take; dekodiert in %2 s, berechnet in %3 s</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::RangeTurnPage</name>
+    <message>
+        <source>Start over</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Show this sensor; once more: the one in most need</source>
+        <translation>Diesen Sensor zeigen; noch einmal: den, der es am nötigsten hat</translation>
+    </message>
+    <message>
+        <source>%1  no signal</source>
+        <translation>%1  kein Signal</translation>
+    </message>
+    <message>
+        <source>%1  %2 %</source>
+        <translation>%1  %2 %</translation>
+    </message>
+    <message>
+        <source>Signal lost</source>
+        <translation>Signal verloren</translation>
+    </message>
+    <message>
+        <source>The device stopped sending. Plug it in again and open it in Capture.</source>
+        <translation>Das Gerät sendet nicht mehr. Stecken Sie es wieder ein und öffnen Sie es unter „Aufnehmen“.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 %&lt;/b&gt; of the sphere, %2 % needed&lt;br&gt;&lt;b&gt;%3 s&lt;/b&gt; steady, %4 s needed&lt;br&gt;%5 turned</source>
+        <translation>&lt;b&gt;%1 %&lt;/b&gt; der Kugel, %2 % nötig&lt;br&gt;&lt;b&gt;%3 s&lt;/b&gt; ruhig, %4 s nötig&lt;br&gt;%5 gedreht</translation>
+    </message>
+    <message>
+        <source>Start turning</source>
+        <translation>Drehen beginnen</translation>
+    </message>
+    <message>
+        <source>Slowly, about ten seconds for a full turn.</source>
+        <translation>Langsam, etwa zehn Sekunden für eine ganze Umdrehung.</translation>
+    </message>
+    <message>
+        <source>%1: no signal</source>
+        <translation>%1: kein Signal</translation>
+    </message>
+    <message>
+        <source>Its readings stopped. Check its cable and plug; what was turned so far is kept.</source>
+        <translation>Es kommen keine Messwerte mehr. Prüfen Sie Kabel und Stecker; das bisher Gedrehte bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Only slow turning shows gravity alone. What is too fast is left out.</source>
+        <translation>Nur langsames Drehen zeigt die Schwerkraft allein. Was zu schnell ist, wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>Smoother</source>
+        <translation>Gleichmäßiger</translation>
+    </message>
+    <message>
+        <source>Jerks and knocks are left out. Turn it like a full glass.</source>
+        <translation>Rucke und Stöße werden weggelassen. Drehen Sie ihn wie ein volles Glas.</translation>
+    </message>
+    <message>
+        <source>Enough</source>
+        <translation>Genug</translation>
+    </message>
+    <message>
+        <source>Finish now, or fill the last gaps for an even better result.</source>
+        <translation>Sie können jetzt abschließen oder für ein noch besseres Ergebnis die letzten Lücken füllen.</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Vollständig</translation>
+    </message>
+    <message>
+        <source>Go on turning</source>
+        <translation>Weiterdrehen</translation>
+    </message>
+    <message>
+        <source>Every direction was seen. Press Enter to finish.</source>
+        <translation>Jede Richtung war dabei. Mit der Eingabetaste abschließen.</translation>
+    </message>
+    <message>
+        <source>Every direction was seen; a few more steady seconds are needed.</source>
+        <translation>Jede Richtung war dabei; es fehlen noch ein paar ruhige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Turn: %1</source>
+        <translation>Drehen: %1</translation>
+    </message>
+    <message>
+        <source>%1 has enough; these directions would make it better.</source>
+        <translation>%1 hat genug; diese Richtungen würden es noch verbessern.</translation>
+    </message>
+    <message>
+        <source>Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.</source>
+        <translation>Bringen Sie den blauen Pfeil des Kastens nach oben; auf der Karte den weißen Punkt in den blauen Ring.</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::RangeWizard</name>
+    <message>
+        <source>RMS off 1 g</source>
+        <translation>RMS neben 1 g</translation>
+    </message>
+    <message>
+        <source>Ellipsoid is better: %1 against %2 by extremes.</source>
+        <translation>Das Ellipsoid ist besser: %1 gegen %2 mit Extremwerten.</translation>
+    </message>
+    <message>
+        <source>Extremes are better: %1 against %2 by ellipsoid.</source>
+        <translation>Die Extremwerte sind besser: %1 gegen %2 mit dem Ellipsoid.</translation>
+    </message>
+    <message>
+        <source>%1 % of the sphere, %2 s steady</source>
+        <translation>%1 % der Kugel, %2 s ruhig</translation>
+    </message>
+    <message>
+        <source>attempt before: %1</source>
+        <translation>Versuch davor: %1</translation>
+    </message>
+    <message>
+        <source>Calibrate range</source>
+        <translation>Bereich kalibrieren</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Which sensors?</source>
+        <translation>Welche Sensoren?</translation>
+    </message>
+    <message>
+        <source>Range calibration finds each sensor&apos;s zero and scale from gravity. It is done &lt;b&gt;once in a sensor&apos;s life&lt;/b&gt;, not on the body, and takes about a minute.</source>
+        <translation>Die Bereichskalibrierung findet Nullpunkt und Empfindlichkeit jedes Sensors aus der Schwerkraft. Sie wird &lt;b&gt;einmal im Leben eines Sensors&lt;/b&gt; gemacht, nicht am Körper, und dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>Several sensors can be calibrated at once: fix them in one small box so that none can slip, and turn the box.</source>
+        <translation>Mehrere Sensoren lassen sich zugleich kalibrieren: befestigen Sie sie rutschfest in einem kleinen Kasten und drehen Sie den Kasten.</translation>
+    </message>
+    <message>
+        <source>Open a device in Capture</source>
+        <translation>Gerät unter „Aufnehmen“ öffnen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Hold the box in both hands&lt;/b&gt;, cables slack. Sit down: it takes about a minute.</source>
+        <translation>&lt;b&gt;Halten Sie den Kasten mit beiden Händen&lt;/b&gt;, die Kabel locker. Setzen Sie sich: es dauert etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Turn it slowly until every face has looked up once&lt;/b&gt;, then every edge and corner between them.</source>
+        <translation>&lt;b&gt;Drehen Sie ihn langsam, bis jede Seite einmal oben war&lt;/b&gt;, dann jede Kante und Ecke dazwischen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Slowly&lt;/b&gt; means about ten seconds for a full turn, without knocks. Only steady turning counts; what is too fast is left out by itself.</source>
+        <translation>&lt;b&gt;Langsam&lt;/b&gt; heißt etwa zehn Sekunden für eine ganze Umdrehung, ohne Stöße. Nur ruhiges Drehen zählt; was zu schnell ist, wird von selbst weggelassen.</translation>
+    </message>
+    <message>
+        <source>The map fills up as you turn. It always names the direction that is missing most.</source>
+        <translation>Die Karte füllt sich beim Drehen. Sie nennt immer die Richtung, die am meisten fehlt.</translation>
+    </message>
+    <message>
+        <source>Signal: &lt;b&gt;%1&lt;/b&gt;</source>
+        <translation>Signal: &lt;b&gt;%1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No signal comes in.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Es kommt kein Signal.&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Start turning</source>
+        <translation>Drehen beginnen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Abschließen</translation>
+    </message>
+    <message>
+        <source>Finish early</source>
+        <translation>Vorzeitig abschließen</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>%1 speichern</translation>
+    </message>
+    <message>
+        <source>%1 calibrated</source>
+        <translation>%1 kalibriert</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 calibrated, repeat the others</source>
+        <translation>%1 von %2 kalibriert, die übrigen wiederholen</translation>
+    </message>
+    <message>
+        <source>The verdicts of %1 are not saved yet.</source>
+        <translation>Die Ergebnisse von %1 sind noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>What was turned until now would not be used.</source>
+        <translation>Das bisher Gedrehte würde nicht verwendet.</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::RangeWizardModel</name>
+    <message>
+        <source>Choose at least one sensor.</source>
+        <translation>Wählen Sie mindestens einen Sensor.</translation>
+    </message>
+    <message>
+        <source>No signal comes in. Open a device in Capture.</source>
+        <translation>Es kommt kein Signal. Öffnen Sie unter „Aufnehmen“ ein Gerät.</translation>
+    </message>
+    <message>
+        <source>Turn the sensors first.</source>
+        <translation>Drehen Sie zuerst die Sensoren.</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Nothing is accepted yet.</source>
+        <translation>Noch ist nichts angenommen.</translation>
+    </message>
+    <message>
+        <source>Computing the range calibration</source>
+        <translation>Bereichskalibrierung wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::RateGauge</name>
+    <message>
+        <source>%1°/s</source>
+        <translation>%1°/s</translation>
+    </message>
+    <message>
+        <source>No signal</source>
+        <translation>Kein Signal</translation>
+    </message>
+    <message>
+        <source>Too fast: %1</source>
+        <translation>Zu schnell: %1</translation>
+    </message>
+    <message>
+        <source>Jerky: %1</source>
+        <translation>Ruckartig: %1</translation>
+    </message>
+    <message>
+        <source>Steady: %1</source>
+        <translation>Ruhig: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::RecordPanel</name>
+    <message>
+        <source>Recorded time</source>
+        <translation>Aufgenommene Zeit</translation>
+    </message>
+    <message>
+        <source>Subject</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Who wears the sensors</source>
+        <translation>Wer die Sensoren trägt</translation>
+    </message>
+    <message>
+        <source>Name of the take</source>
+        <translation>Name des Takes</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Take</translation>
+    </message>
+    <message>
+        <source>Choose the folder for takes</source>
+        <translation>Ordner für Takes wählen</translation>
+    </message>
+    <message>
+        <source>Folder for takes</source>
+        <translation>Ordner für Takes</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Stop recording and close the take (R)</source>
+        <translation>Aufnahme beenden und den Take schließen (R)</translation>
+    </message>
+    <message>
+        <source>Record a new take (R)</source>
+        <translation>Einen neuen Take aufnehmen (R)</translation>
+    </message>
+    <message>
+        <source>Choose a device first</source>
+        <translation>Wählen Sie erst ein Gerät</translation>
+    </message>
+    <message>
+        <source>Recording, but samples are being lost</source>
+        <translation>Aufnahme läuft, aber Werte gehen verloren</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme läuft</translation>
+    </message>
+    <message>
+        <source>Closing the take</source>
+        <translation>Take wird geschlossen</translation>
+    </message>
+    <message>
+        <source>Making the take</source>
+        <translation>Take wird angelegt</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Opening the device</source>
+        <translation>Gerät wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>Nicht bereit</translation>
+    </message>
+    <message>
+        <source>No device</source>
+        <translation>Kein Gerät</translation>
+    </message>
+    <message>
+        <source>disk: %1</source>
+        <translation>Platte: %1</translation>
+    </message>
+    <message>
+        <source>How long recording lasts until the disk is full</source>
+        <translation>Wie lange aufgenommen werden kann, bis die Platte voll ist</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ScopeView</name>
+    <message>
+        <source>Scope of both channels</source>
+        <translation>Oszilloskop beider Kanäle</translation>
+    </message>
+    <message>
+        <source>ref</source>
+        <translation>Ref</translation>
+    </message>
+    <message>
+        <source>full height ±%1 of full scale</source>
+        <translation>volle Höhe ±%1 der Aussteuerung</translation>
+    </message>
+    <message>
+        <source>Right channel: accelerations (swapped)</source>
+        <translation>Rechter Kanal: Beschleunigungen (vertauscht)</translation>
+    </message>
+    <message>
+        <source>Left channel: accelerations</source>
+        <translation>Linker Kanal: Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>Left channel: clock (swapped)</source>
+        <translation>Linker Kanal: Takt (vertauscht)</translation>
+    </message>
+    <message>
+        <source>Right channel: clock</source>
+        <translation>Rechter Kanal: Takt</translation>
+    </message>
+    <message>
+        <source>not in step with the board: the picture runs free, slots are not known</source>
+        <translation>nicht im Takt mit der Platine: Das Bild läuft frei, die Fächer sind unbekannt</translation>
+    </message>
+    <message>
+        <source>no signal</source>
+        <translation>kein Signal</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SensorCube</name>
+    <message>
+        <source>How the sensor is held</source>
+        <translation>Wie der Sensor gehalten wird</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SensorRow</name>
+    <message>
+        <source>%1: range %2, mounting %3</source>
+        <translation>%1: Bereich %2, Befestigung %3</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Range of %1 only</source>
+        <translation>Nur den Bereich von %1</translation>
+    </message>
+    <message>
+        <source>Mounting of %1 only</source>
+        <translation>Nur die Befestigung von %1</translation>
+    </message>
+    <message>
+        <source>The rig names no poses for this sensor.</source>
+        <translation>Das Rig nennt für diesen Sensor keine Posen.</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SensorStrips</name>
+    <message>
+        <source>Accelerations and health of every sensor</source>
+        <translation>Beschleunigungen und Zustand jedes Sensors</translation>
+    </message>
+    <message>
+        <source>x axis, m/s²</source>
+        <translation>x-Achse, m/s²</translation>
+    </message>
+    <message>
+        <source>y axis, m/s²</source>
+        <translation>y-Achse, m/s²</translation>
+    </message>
+    <message>
+        <source>z axis, m/s²</source>
+        <translation>z-Achse, m/s²</translation>
+    </message>
+    <message>
+        <source>−10 s</source>
+        <translation>−10 s</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SettingsCard</name>
+    <message>
+        <source>Solving</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Time scale of the smoothing in milliseconds</source>
+        <translation>Zeitmaß der Glättung in Millisekunden</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Best there is</source>
+        <translation>Beste vorhandene</translation>
+    </message>
+    <message>
+        <source>Of the take</source>
+        <translation>Aus dem Take</translation>
+    </message>
+    <message>
+        <source>Poses in the take</source>
+        <translation>Haltungen im Take</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Data sheet</source>
+        <translation>Datenblatt</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>change smoothing</source>
+        <translation>Glättung ändern</translation>
+    </message>
+    <message>
+        <source>change calibration</source>
+        <translation>Kalibrierung ändern</translation>
+    </message>
+    <message>
+        <source>change strength of smoothing</source>
+        <translation>Stärke der Glättung ändern</translation>
+    </message>
+    <message>
+        <source>Cancel solving</source>
+        <translation>Berechnung abbrechen</translation>
+    </message>
+    <message>
+        <source>Solve again</source>
+        <translation>Neu berechnen</translation>
+    </message>
+    <message>
+        <source>Used: %1</source>
+        <translation>Benutzt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ShortcutSheet</name>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Go to a workspace</source>
+        <translation>Zu einem Arbeitsbereich</translation>
+    </message>
+    <message>
+        <source>New take</source>
+        <translation>Neuer Take</translation>
+    </message>
+    <message>
+        <source>Open a take</source>
+        <translation>Take öffnen</translation>
+    </message>
+    <message>
+        <source>Import recordings</source>
+        <translation>Aufnahmen einlesen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>This sheet</source>
+        <translation>Diese Übersicht</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SignalStrip</name>
+    <message>
+        <source>Accelerations of the newest seconds</source>
+        <translation>Beschleunigungen der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>%1 g</source>
+        <translation>%1 g</translation>
+    </message>
+    <message>
+        <source>No readings yet</source>
+        <translation>Noch keine Messwerte</translation>
+    </message>
+    <message>
+        <source> g</source>
+        <translation> g</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SolveModel</name>
+    <message>
+        <source>Reading the solve</source>
+        <translation>Berechnung wird gelesen</translation>
+    </message>
+    <message>
+        <source>Solving %1</source>
+        <translation>%1 wird berechnet</translation>
+    </message>
+    <message>
+        <source>The saved solve could not be read; solving again.</source>
+        <translation>Die gespeicherte Berechnung war nicht lesbar; es wird neu berechnet.</translation>
+    </message>
+    <message>
+        <source>Solving was cancelled</source>
+        <translation>Die Berechnung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>The solve could not be saved in the take.</source>
+        <translation>Die Berechnung ließ sich nicht im Take speichern.</translation>
+    </message>
+    <message>
+        <source>The solve could not be compared with the truth.</source>
+        <translation>Die Berechnung ließ sich nicht mit der Wahrheit vergleichen.</translation>
+    </message>
+    <message>
+        <source>change length of %1</source>
+        <translation>Länge von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Saving the solve</source>
+        <translation>Berechnung wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Your edits could not be saved in the take.</source>
+        <translation>Ihre Änderungen ließen sich nicht im Take speichern.</translation>
+    </message>
+    <message>
+        <source>Comparing with the truth</source>
+        <translation>Vergleich mit der Wahrheit</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SolveWorkspace</name>
+    <message>
+        <source>Capture a take</source>
+        <translation>Einen Take aufnehmen</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Show what is being captured instead of the take</source>
+        <translation>Zeigt statt des Takes, was gerade aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>Look from this side (%1)</source>
+        <translation>Von dieser Seite sehen (%1)</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Umschalt+F</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Umschalt+S</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Umschalt+T</translation>
+    </message>
+    <message>
+        <source>Frame the selection (F)</source>
+        <translation>Auswahl ins Bild holen (F)</translation>
+    </message>
+    <message>
+        <source>Show the floor</source>
+        <translation>Boden zeigen</translation>
+    </message>
+    <message>
+        <source>Show the sensors</source>
+        <translation>Sensoren zeigen</translation>
+    </message>
+    <message>
+        <source>Show the truth of this simulated take</source>
+        <translation>Die Wahrheit dieses simulierten Takes zeigen</translation>
+    </message>
+    <message>
+        <source>Live from %1</source>
+        <translation>Live von %1</translation>
+    </message>
+    <message>
+        <source>No take is open</source>
+        <translation>Kein Take ist offen</translation>
+    </message>
+    <message>
+        <source>Capture one, open one, or try a demo from the first page.</source>
+        <translation>Nehmen Sie einen auf, öffnen Sie einen oder probieren Sie eine Demo von der Startseite.</translation>
+    </message>
+    <message>
+        <source>This take could not be solved</source>
+        <translation>Dieser Take ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Reading the solve…</source>
+        <translation>Berechnung wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Solving…</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Live from %1: %2</source>
+        <translation>Live von %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of motion, %2 frames at %3 Hz, smoothing: %4</source>
+        <translation>%1 Bewegung, %2 Bilder mit %3 Hz, Glättung: %4</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SourceBar</name>
+    <message>
+        <source>Look for devices again</source>
+        <translation>Erneut nach Geräten suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Gerät</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Where the signal comes from: a sound card&apos;s line input, or the simulator</source>
+        <translation>Woher das Signal kommt: der Line-Eingang einer Soundkarte oder der Simulator</translation>
+    </message>
+    <message>
+        <source>R&amp;ig</source>
+        <translation>R&amp;ig</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Rig</translation>
+    </message>
+    <message>
+        <source>What is worn where</source>
+        <translation>Was wo getragen wird</translation>
+    </message>
+    <message>
+        <source>Looking for devices…</source>
+        <translation>Sucht nach Geräten …</translation>
+    </message>
+    <message>
+        <source>Choose a device</source>
+        <translation>Wählen Sie ein Gerät</translation>
+    </message>
+    <message>
+        <source>%1, %2 bit</source>
+        <translation>%1, %2 Bit</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SphereMap</name>
+    <message>
+        <source>Directions that were visited</source>
+        <translation>Besuchte Richtungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 directions</source>
+        <translation>%1 von %2 Richtungen</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::StatusStrip</name>
+    <message>
+        <source>The open take: new, open, import, recent</source>
+        <translation>Der offene Take: neu, öffnen, einlesen, letzte</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>No take</source>
+        <translation>Kein Take</translation>
+    </message>
+    <message>
+        <source>Take: %1</source>
+        <translation>Take: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::StudioContext</name>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>%1 lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>The recording failed. %1</source>
+        <translation>Die Aufnahme ist gescheitert. %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TakeActions</name>
+    <message>
+        <source>Open a take (a folder that ends in .take)</source>
+        <translation>Einen Take öffnen (ein Ordner, der auf .take endet)</translation>
+    </message>
+    <message>
+        <source>Import recordings of a sound recorder</source>
+        <translation>Aufnahmen eines Tonrekorders einlesen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.wav *.w64 *.rf64 *.flac *.aiff *.aif *.ogg *.mp3);;All files (*)</source>
+        <translation>Aufnahmen (*.wav *.w64 *.rf64 *.flac *.aiff *.aif *.ogg *.mp3);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A take is being recorded.</source>
+        <translation>Ein Take wird aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Stop the recording before another take is opened.</source>
+        <translation>Beenden Sie die Aufnahme, bevor ein anderer Take geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird eingelesen</translation>
+    </message>
+    <message>
+        <source>Making the demo take “%1”</source>
+        <translation>Demo-Take „%1“ wird erzeugt</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TakeDocument</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TimelineCanvas</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>%1: %2° at %3 s</source>
+        <translation>%1: %2° bei %3 s</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 bei %2 s</translation>
+    </message>
+    <message>
+        <source>%1: double-click sets a key</source>
+        <translation>%1: Doppelklick setzt einen Schlüssel</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TimelineWidget</name>
+    <message>
+        <source>Go to the start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>Ein Bild vor</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Go to the end</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Playing speed</source>
+        <translation>Abspielgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Playhead</source>
+        <translation>Abspielmarke</translation>
+    </message>
+    <message>
+        <source>Set a key for the selected bone at the playhead</source>
+        <translation>Schlüssel für den gewählten Knochen an der Abspielmarke setzen</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Die gewählten Schlüssel löschen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Show the whole clip</source>
+        <translation>Den ganzen Clip zeigen</translation>
+    </message>
+    <message>
+        <source>Shift+Home</source>
+        <translation>Umschalt+Pos1</translation>
+    </message>
+    <message>
+        <source>%1 (Space)</source>
+        <translation>%1 (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>/ %1   frame %2 of %3</source>
+        <translation>/ %1   Bild %2 von %3</translation>
+    </message>
+    <message>
+        <source>nothing to play yet</source>
+        <translation>noch nichts abzuspielen</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TruthCard</name>
+    <message>
+        <source>Against the truth</source>
+        <translation>Gegen die Wahrheit</translation>
+    </message>
+    <message>
+        <source>Inclination error %1</source>
+        <translation>Neigungsfehler %1</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>Max.</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::VerdictRow</name>
+    <message>
+        <source>Repeat this sensor only</source>
+        <translation>Nur diesen Sensor wiederholen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Angenommen</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Needs a running capture</source>
+        <translation>Braucht eine laufende Erfassung</translation>
+    </message>
+    <message>
+        <source>Discarded</source>
+        <translation>Verworfen</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ViewerWidget</name>
+    <message>
+        <source>Viewer</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Shows the skeleton in three dimensions.</source>
+        <translation>Zeigt das Skelett in drei Dimensionen.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;No picture: this computer offers no OpenGL 3.2.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Everything else works: solve, edit keys and export as usual. To see the figure, install the graphics driver or Mesa (on Debian: libgl1-mesa-dri) and start again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Kein Bild: Dieser Rechner bietet kein OpenGL 3.2.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Alles andere geht: Berechnen, bearbeiten und geben Sie aus wie gewohnt. Um die Figur zu sehen, installieren Sie den Grafiktreiber oder Mesa (unter Debian: libgl1-mesa-dri) und starten Sie neu.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::WelcomePage</name>
+    <message>
+        <source>Records what low-cost sensors on a body feel and turns it into animation for Blender, Maya and game engines.</source>
+        <translation>Nimmt auf, was preiswerte Sensoren am Körper spüren, und macht daraus Animation für Blender, Maya und Spiel-Engines.</translation>
+    </message>
+    <message>
+        <source>New take</source>
+        <translation>Neuer Take</translation>
+    </message>
+    <message>
+        <source>Choose a device and record</source>
+        <translation>Gerät wählen und aufnehmen</translation>
+    </message>
+    <message>
+        <source>Import recording</source>
+        <translation>Aufnahme einlesen</translation>
+    </message>
+    <message>
+        <source>WAV, FLAC or MP3 files of a sound recorder that was worn</source>
+        <translation>WAV-, FLAC- oder MP3-Dateien eines getragenen Tonrekorders</translation>
+    </message>
+    <message>
+        <source>Open take</source>
+        <translation>Take öffnen</translation>
+    </message>
+    <message>
+        <source>A folder that ends in .take</source>
+        <translation>Ein Ordner, der auf .take endet</translation>
+    </message>
+    <message>
+        <source>or drop recordings and takes anywhere on this window</source>
+        <translation>oder ziehen Sie Aufnahmen und Takes auf dieses Fenster</translation>
+    </message>
+    <message>
+        <source>Recent takes</source>
+        <translation>Letzte Takes</translation>
+    </message>
+    <message>
+        <source>Try it without hardware</source>
+        <translation>Ohne Hardware ausprobieren</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::WizardFrame</name>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Records wearable motion sensors and turns them into animation.</source>
+        <translation>Nimmt am Körper getragene Bewegungssensoren auf und macht daraus Animation.</translation>
+    </message>
+    <message>
+        <source>Open a demo take of the simulator.</source>
+        <translation>Einen Demo-Take des Simulators öffnen.</translation>
+    </message>
+    <message>
+        <source>Colours: dark or light.</source>
+        <translation>Farben: dark (dunkel) oder light (hell).</translation>
+    </message>
+    <message>
+        <source>Write pictures of the solved TAKE into this folder and end; needs no display.</source>
+        <translation>Bilder des berechneten TAKE in diesen Ordner schreiben und enden; braucht keinen Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Take folder to open, or recordings to import.</source>
+        <translation>Take-Ordner zum Öffnen oder Aufnahmen zum Einlesen.</translation>
+    </message>
+</context>
 </TS>

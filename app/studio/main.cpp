@@ -20,8 +20,12 @@
 namespace {
 
 void install_translations(QApplication& application) {
-  static QTranslator ours, qt;
+  static QTranslator english, ours, qt;
   const QLocale locale;
+  // Plurals, also where there is no translation; what is installed later is asked first.
+  if (english.load(QStringLiteral(":/translations/limbwave_en.qm"))) {
+    QApplication::installTranslator(&english);
+  }
   if (qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
               QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
     QApplication::installTranslator(&qt);

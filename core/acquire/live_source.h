@@ -1,10 +1,13 @@
 /// Where live samples come from: a sound card, a simulator, later a driver box.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "acquire/sample_format.h"
@@ -39,13 +42,18 @@ class LiveSource {
   virtual void stop() = 0;
   /// Copies whole frames that have arrived, as many as fit; returns the bytes written. Never blocks.
   virtual std::size_t pull(std::span<std::byte> out) = 0;
+  /// Waits until there may be something to pull, for at most `timeout_s`; the consumer's thread alone. This default looks
+  /// again after a millisecond.
+  virtual void wait(double timeout_s) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(timeout_s, 0.001)));
+  }
   [[nodiscard]] virtual SourceCounters counters() const = 0;
   /// False once the device is gone (unplugged, server stopped); `pull` then still drains the ring.
   [[nodiscard]] virtual bool alive() const = 0;
   /// Delay of the device's own buffer, seconds, as the device reports it.
   [[nodiscard]] virtual double device_latency_s() const = 0;
   /// Monotonic clock time (std::chrono::steady_clock, seconds) at which the newest frame so far was captured by the
-  /// driver; 0 before the first.
+  /// driver; 0 before the first. Told before the frame can be pulled, so that what has been pulled is never newer.
   [[nodiscard]] virtual double newest_frame_time_s() const = 0;
 };
 

@@ -12,6 +12,7 @@
 
 #include "acquire/alsa_probe.h"
 #include "base/spsc_ring.h"
+#include "base/wake_signal.h"
 
 namespace limbwave::acquire {
 namespace {
@@ -190,6 +191,7 @@ class SoundCard : public LiveSource {
     const std::size_t frame = format_.bytes_per_frame();
     return ring_.read(out.first(out.size() / frame * frame));
   }
+  void wait(double timeout_s) override { (void)arrived_.wait_for(std::chrono::duration<double>(timeout_s)); }
   [[nodiscard]] SourceCounters counters() const override {
     return {overflows_.load(std::memory_order_relaxed), dropped_frames_.load(std::memory_order_relaxed)};
   }
@@ -220,9 +222,10 @@ class SoundCard : public LiveSource {
   std::atomic<double> latency_s_{0.0};
   std::atomic<bool> has_frames_{false};
   std::atomic<bool> finished_{false};
+  WakeSignal arrived_;
 };
 
-// On the device's own thread: copies and counts, nothing else.
+// On the device's own thread: copies, counts and rings the bell, nothing else.
 int SoundCard::callback(const void* input, void* /*output*/, unsigned long frames, const PaStreamCallbackTimeInfo* time,
                         PaStreamCallbackFlags flags, void* self_pointer) {
   auto& self = *static_cast<SoundCard*>(self_pointer);
@@ -232,6 +235,8 @@ int SoundCard::callback(const void* input, void* /*output*/, unsigned long frame
   if (input == nullptr || frames == 0) {
     return paContinue;
   }
+  // Before the frames are there for the other side: what it has pulled is then never newer than this.
+  self.newest_s_.store(now_s(), std::memory_order_relaxed);
   const std::span bytes(static_cast<const std::byte*>(input), frames * self.format_.bytes_per_frame());
   if (!self.ring_.write(bytes)) {
     self.overflows_.fetch_add(1, std::memory_order_relaxed);
@@ -242,8 +247,8 @@ int SoundCard::callback(const void* input, void* /*output*/, unsigned long frame
     const double before = self.latency_s_.load(std::memory_order_relaxed);
     self.latency_s_.store(before == 0.0 ? delay : before + 0.05 * (delay - before), std::memory_order_relaxed);
   }
-  self.newest_s_.store(now_s(), std::memory_order_relaxed);
   self.has_frames_.store(true, std::memory_order_release);
+  self.arrived_.notify();
   return paContinue;
 }
 
@@ -264,6 +269,9 @@ Status SoundCard::open(PaDeviceIndex index) {
   if (error != paNoError) {
     return Error{fmt::format("cannot be opened ({})", Pa_GetErrorText(error)), device_.id,
                  "check that no other program uses it"};
+  }
+  if (Pa_GetHostApiInfo(Pa_GetDeviceInfo(index)->hostApi)->type == paALSA) {
+    PaAlsa_EnableRealtimeScheduling(stream_, 1);  // where the system allows it
   }
   Pa_SetStreamFinishedCallback(stream_, &SoundCard::finished);
   return {};

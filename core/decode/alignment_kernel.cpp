@@ -17,15 +17,19 @@ double sinc(double x) {
 
 }  // namespace
 
-AlignmentKernel::AlignmentKernel() {
-  using Matrix = Eigen::Matrix<double, kTaps, kTaps>;
-  using Vector = Eigen::Matrix<double, kTaps, 1>;
+AlignmentKernel::AlignmentKernel(std::size_t after) : taps_(kBefore + 1 + std::min(after, kAfter)) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kTaps, kTaps>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kTaps, 1>;
+  const double pass_power = taps_ == kTaps ? kPassPower : kAheadPassPower;
+  const double edge_power = taps_ == kTaps ? kEdgePower : kAheadEdgePower;
+  const double rest_power = taps_ == kTaps ? kRestPower : 0.0;
+  const auto count = static_cast<Eigen::Index>(taps_);
   // Covariance of the assumed signal over a distance of `cycles`, in units of the noise's variance.
-  const auto covariance = [](double cycles) {
-    return kMeanPower + kPassPower * sinc(2.0 * kPi * kPassband * cycles) +
-           kEdgePower * sinc(2.0 * kPi * kEdge * cycles) + kRestPower * sinc(kPi * cycles);
+  const auto covariance = [&](double cycles) {
+    return kMeanPower + pass_power * sinc(2.0 * kPi * kPassband * cycles) +
+           edge_power * sinc(2.0 * kPi * kEdge * cycles) + rest_power * sinc(kPi * cycles);
   };
-  Matrix between;
+  Matrix between(count, count);
   for (Eigen::Index k = 0; k < between.rows(); ++k) {
     for (Eigen::Index l = 0; l < between.cols(); ++l) {
       between(k, l) = covariance(static_cast<double>(k - l)) + (k == l ? 1.0 : 0.0);
@@ -35,13 +39,13 @@ AlignmentKernel::AlignmentKernel() {
   weights_.resize(kSteps + 1);
   for (int step = 0; step <= kSteps; ++step) {
     const double offset = static_cast<double>(step) / kSteps - 0.5;
-    Vector to_zero;
+    Vector to_zero(count);
     for (Eigen::Index k = 0; k < to_zero.size(); ++k) {
       to_zero[k] = covariance(static_cast<double>(k) - static_cast<double>(kBefore) + offset);
     }
     Vector solution = factors.solve(to_zero);
     solution /= solution.sum();  // what does not move comes out exactly
-    for (std::size_t k = 0; k < kTaps; ++k) {
+    for (std::size_t k = 0; k < taps_; ++k) {
       weights_[static_cast<std::size_t>(step)][k] = solution[static_cast<Eigen::Index>(k)];
     }
   }
@@ -52,11 +56,11 @@ double AlignmentKernel::at_zero(const Values& instants, const Values& values) co
   const double offset = static_cast<double>(step) / kSteps - 0.5;
   const Values& weights = weights_[static_cast<std::size_t>(step)];
   double sum = 0.0;
-  for (std::size_t k = 0; k < kTaps; ++k) {
+  for (std::size_t k = 0; k < taps_; ++k) {
     // Where the weights assume this value, and how fast the signal changes there.
     const double late = instants[k] - (static_cast<double>(k) - static_cast<double>(kBefore) + offset);
     const double rate = k == 0           ? -1.5 * values[0] + 2.0 * values[1] - 0.5 * values[2]
-                        : k == kTaps - 1 ? 1.5 * values[k] - 2.0 * values[k - 1] + 0.5 * values[k - 2]
+                        : k == taps_ - 1 ? 1.5 * values[k] - 2.0 * values[k - 1] + 0.5 * values[k - 2]
                                          : 0.5 * (values[k + 1] - values[k - 1]);
     sum += weights[k] * (values[k] - late * rate);
   }

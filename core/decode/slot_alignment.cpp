@@ -13,9 +13,10 @@ constexpr std::size_t kBefore = 3;      // of the polynomial
 constexpr std::size_t kFewest = 4;      // points that make a value
 constexpr double kExtrapolated = 0.05;  // of a cycle: hardly more than none
 
-const AlignmentKernel& kernel() {
-  static const AlignmentKernel instance;
-  return instance;
+const AlignmentKernel& kernel(std::size_t after) {
+  static const std::array<AlignmentKernel, kAfter + 1> instances{AlignmentKernel(0), AlignmentKernel(1),
+                                                                 AlignmentKernel(2)};
+  return instances[after];
 }
 
 /// The polynomial through `count` points, at x = 0: Lagrange's form, which copes with any spacing.
@@ -68,21 +69,51 @@ std::vector<AccelerationFrame> SlotAligner::take_frames() {
   return std::exchange(frames_, {});
 }
 
+std::vector<AccelerationFrame> SlotAligner::ahead() const {
+  std::vector<AccelerationFrame> frames;
+  for (std::size_t index = next_; index < window_.size(); ++index) {
+    const LineInCycle& cycle = window_[index];
+    const double instant = cycle.start_sample + 0.5 * cycle.period_samples;
+    AccelerationFrame frame = empty_frame(instant);
+    frame.gap_before = gap_ && index == next_;
+    for (std::size_t sensor = 0; sensor < static_cast<std::size_t>(sensors_); ++sensor) {
+      bool usable = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t slot = 3 * sensor + axis;
+        const std::optional<double> volts = by_kernel(index, slot, instant, window_.size() - 1 - index);
+        usable = usable && volts.has_value();
+        frame.volts[sensor][static_cast<Eigen::Index>(axis)] = volts.value_or(cycle.volts[slot]);
+      }
+      if (usable) {
+        frame.usable |= 1U << sensor;
+      }
+    }
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+std::optional<double> SlotAligner::by_kernel(std::size_t index, std::size_t slot, double instant,
+                                             std::size_t after) const {
+  if (index < AlignmentKernel::kBefore || index + after >= window_.size()) {
+    return std::nullopt;
+  }
+  AlignmentKernel::Values instants{};
+  AlignmentKernel::Values volts{};
+  const double per_sample = 1.0 / window_[index].period_samples;
+  bool whole = true;
+  for (std::size_t k = 0; k <= AlignmentKernel::kBefore + after; ++k) {
+    const LineInCycle& cycle = window_[index + k - AlignmentKernel::kBefore];
+    whole = whole && supports(cycle, slot);
+    instants[k] = (cycle.sample[slot] - instant) * per_sample;
+    volts[k] = cycle.volts[slot];
+  }
+  return whole ? std::optional(kernel(after).at_zero(instants, volts)) : std::nullopt;
+}
+
 SlotAligner::Value SlotAligner::interpolate(std::size_t index, std::size_t slot, double instant) const {
-  if (index >= AlignmentKernel::kBefore && index + kAfter < window_.size()) {
-    AlignmentKernel::Values instants;
-    AlignmentKernel::Values volts;
-    const double per_sample = 1.0 / window_[index].period_samples;
-    bool whole = true;
-    for (std::size_t k = 0; k < AlignmentKernel::kTaps; ++k) {
-      const LineInCycle& cycle = window_[index + k - AlignmentKernel::kBefore];
-      whole = whole && supports(cycle, slot);
-      instants[k] = (cycle.sample[slot] - instant) * per_sample;
-      volts[k] = cycle.volts[slot];
-    }
-    if (whole) {
-      return {kernel().at_zero(instants, volts), true};
-    }
+  if (const std::optional<double> volts = by_kernel(index, slot, instant, kAfter)) {
+    return {*volts, true};
   }
   // Unbroken support on either side of this cycle; a bad cycle itself is bridged.
   std::array<double, kBefore + 1 + kAfter> x{};
@@ -111,11 +142,16 @@ SlotAligner::Value SlotAligner::interpolate(std::size_t index, std::size_t slot,
           count >= kFewest && *earliest <= reach && *latest >= -reach};
 }
 
+AccelerationFrame SlotAligner::empty_frame(double instant) const {
+  AccelerationFrame frame;
+  frame.time_s = instant / rate_.hz;
+  return frame;
+}
+
 void SlotAligner::emit(std::size_t index) {
   const LineInCycle& cycle = window_[index];
   const double instant = cycle.start_sample + 0.5 * cycle.period_samples;
-  AccelerationFrame frame;
-  frame.time_s = instant / rate_.hz;
+  AccelerationFrame frame = empty_frame(instant);
   frame.gap_before = std::exchange(gap_, false);
   for (std::size_t sensor = 0; sensor < static_cast<std::size_t>(sensors_); ++sensor) {
     bool usable = true;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "decode/line_in.h"
@@ -24,16 +25,24 @@ struct AccelerationFrame {
 /// clipped values by the polynomial through what is good in the three cycles before, this one and the two after. Never
 /// across gaps. A sensor is usable where its own readings are good and each axis has good ones on both sides of the
 /// instant, four in all: an extrapolated one is off by tenths of g in fast motion. A frame of an unusable sensor
-/// carries what could be made of its neighbours, for drawing. Streaming; looks ahead by at most two cycles.
+/// carries what could be made of its neighbours, for drawing. Streaming; looks ahead by at most two cycles. `ahead`
+/// gives a first version of those that still wait.
 class SlotAligner {
  public:
   SlotAligner(int sensors, SampleRate rate) : sensors_(sensors), rate_(rate) {}
   void push(const LineInCycle& cycle);
   void finish();
   std::vector<AccelerationFrame> take_frames();
+  /// The cycles that wait for later ones, as far as can be said now: at most two, for a live picture. By
+  /// AlignmentKernel with the one cycle or none that there is after them; the same bits whatever the block size. A
+  /// sensor whose support is not whole is not usable in them. Changes nothing.
+  [[nodiscard]] std::vector<AccelerationFrame> ahead() const;
 
  private:
   void emit(std::size_t index);
+  [[nodiscard]] AccelerationFrame empty_frame(double instant) const;
+  [[nodiscard]] std::optional<double> by_kernel(std::size_t index, std::size_t slot, double instant,
+                                                std::size_t after) const;
   struct Value {
     double volts = 0.0;
     bool supported = false;  // interpolated, not extrapolated

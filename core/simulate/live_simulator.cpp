@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/spsc_ring.h"
+#include "base/wake_signal.h"
 #include "simulate/simulate.h"
 #include "simulate/simulation.h"
 
@@ -66,6 +67,7 @@ class LiveSimulator : public acquire::LiveSource {
     return ring_.read(out.first(out.size() / frame * frame));
   }
 
+  void wait(double timeout_s) override { (void)arrived_.wait_for(std::chrono::duration<double>(timeout_s)); }
   [[nodiscard]] acquire::SourceCounters counters() const override {
     return {overflows_.load(std::memory_order_relaxed), dropped_.load(std::memory_order_relaxed)};
   }
@@ -89,8 +91,9 @@ class LiveSimulator : public acquire::LiveSource {
       const double due = begin + made / format_.rate.hz;
       lock.lock();
       wake_.wait_for(lock, std::chrono::duration<double>(due - now_s()), [this] { return stopping_; });
+      newest_.store(due, std::memory_order_release);
       if (ring_.write(std::span<const std::byte>(block))) {
-        newest_.store(due, std::memory_order_release);
+        arrived_.notify();
       } else {
         overflows_.fetch_add(1, std::memory_order_relaxed);
         dropped_.fetch_add(block_frames, std::memory_order_relaxed);
@@ -108,6 +111,7 @@ class LiveSimulator : public acquire::LiveSource {
   bool stopping_ = false;
   std::atomic<std::uint64_t> overflows_{0}, dropped_{0};
   std::atomic<double> newest_{0.0};
+  WakeSignal arrived_;
 };
 
 }  // namespace

@@ -34,6 +34,8 @@ class FrontEnd {
 
   /// What has been decoded since the last call.
   std::vector<decode::AccelerationFrame> take_frames();
+  /// A first version of what `take_frames` will give next (decode::SlotAligner::ahead).
+  [[nodiscard]] std::vector<decode::AccelerationFrame> frames_ahead() const { return aligner_.ahead(); }
   /// Cycles since the last call, for displays; collected only after `keep_cycles(true)`.
   std::vector<decode::LineInCycle> take_cycles();
   void keep_cycles(bool keep) { keep_cycles_ = keep; }

@@ -11,29 +11,44 @@ LivePose::LivePose(const body::Rig& rig, body::Skeleton skeleton, calibrate::Rig
       skeleton_(std::move(skeleton)),
       calibration_(std::move(calibration)),
       headings_(settings.headings),
-      segments_(sensor_segments(rig, skeleton_)),
-      R_WL_(skeleton_.segments.size(), Eigen::Quaterniond::Identity()) {
+      segments_(sensor_segments(rig, skeleton_)) {
   estimate::InclinationParameters parameters;
   parameters.smoothing_s = settings.smoothing_s;
-  trackers_.assign(segments_.size(), estimate::InclinationTracker(settings.smoothing, parameters));
+  state_.R_WL.assign(skeleton_.segments.size(), Eigen::Quaterniond::Identity());
+  state_.trackers.assign(segments_.size(), estimate::InclinationTracker(settings.smoothing, parameters));
 }
 
 void LivePose::push(const decode::AccelerationFrame& frame) {
+  pose_ = advance(state_, frame);
+}
+
+std::vector<body::SegmentPose> LivePose::ahead(std::span<const decode::AccelerationFrame> frames) const {
+  std::vector<body::SegmentPose> pose = pose_;
+  if (!pose.empty() && !frames.empty()) {
+    State state = state_;
+    for (const decode::AccelerationFrame& frame : frames) {
+      pose = advance(state, frame);
+    }
+  }
+  return pose;
+}
+
+std::vector<body::SegmentPose> LivePose::advance(State& state, const decode::AccelerationFrame& frame) const {
   std::vector<bool> sensed(skeleton_.segments.size(), false);
-  std::vector<Eigen::Quaterniond> R_WL = R_WL_;
+  std::vector<Eigen::Quaterniond> R_WL = state.R_WL;
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     if (segments_[s] < 0) {
       continue;
     }
     const auto segment = static_cast<std::size_t>(segments_[s]);
     const estimate::ForceSample sample = limb_force(frame, s, signal_, calibration_);
-    const estimate::Inclination inclination = trackers_[s].push(sample);
+    const estimate::Inclination inclination = state.trackers[s].push(sample);
     if (inclination.known) {
-      R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, R_WL_[segment]);
+      R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, state.R_WL[segment]);
       sensed[segment] = true;
     }
   }
-  R_WL_ = R_WL;
+  state.R_WL = R_WL;
   for (std::size_t i = 0; i < R_WL.size(); ++i) {
     const body::Segment& segment = skeleton_.segments[i];
     if (sensed[i]) {
@@ -45,7 +60,7 @@ void LivePose::push(const decode::AccelerationFrame& frame) {
       R_WL[i] = segment.R_PL_rest;
     }
   }
-  pose_ = body::poses_from_orientations(skeleton_, R_WL, skeleton_.segments.front().p_PL);
+  return body::poses_from_orientations(skeleton_, R_WL, skeleton_.segments.front().p_PL);
 }
 
 }  // namespace limbwave::solve

@@ -1,9 +1,10 @@
-/// A running capture: source → recorder (raw first) → decoder → solver, on one worker thread of its own. Faces poll
-/// snapshots at their own pace (25–60 Hz) and never wait for the worker.
+/// A running capture: source → recorder (raw first) → decoder → solver, on one worker thread of its own that the source
+/// wakes. Faces take snapshots at their own pace and figures when they come, and never wait for the worker.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "base/diagnostics.h"
 #include "base/result.h"
 #include "decode/slot_alignment.h"
+#include "solve/live_latency.h"
 #include "solve/sensor_health.h"
 #include "solve/solve.h"
 #include "take/take.h"
@@ -30,7 +32,7 @@ struct LiveSnapshot {
   std::vector<decode::AccelerationFrame> frames;             ///< Newest 10 s of volts.
   std::vector<std::vector<Eigen::Vector3d>> specific_force;  ///< Per sensor, same instants, m/s², S frame.
   std::vector<SensorHealth> health;                          ///< Per accelerometer.
-  std::vector<body::SegmentPose> pose;  ///< Newest solved pose of the skeleton; empty before the first.
+  std::vector<body::SegmentPose> pose;                       ///< The newest; empty before the first.
   double pose_time_s = 0.0;
   Diagnostics diagnostics;  ///< Of the last 100, newest last.
   acquire::SourceCounters counters;
@@ -41,11 +43,20 @@ struct LiveSnapshot {
   double recorded_s = 0.0;
   double disk_left_s = 0.0;     ///< How long the disk lasts at this rate.
   std::string recording_error;  ///< Why recording stopped by itself; empty: it did not.
-  /// Capture to pose ready, beyond the device's buffer: mean and largest of the last seconds, seconds.
-  double latency_mean_s = 0.0, latency_max_s = 0.0, device_latency_s = 0.0;
-  /// Monotonic time at which the newest sample that this pose used was captured (steady_clock seconds); a viewer adds
-  /// its own drawing time to report capture-to-screen latency.
-  double pose_capture_time_s = 0.0;
+  /// Capture of the oldest slot of the newest cycle → pose ready, beyond the device's buffer: of the last seconds.
+  LatencyReport latency;
+  double latency_mean_s = 0.0, latency_max_s = 0.0;  ///< Of its total.
+  double device_latency_s = 0.0;                     ///< What the device says of its own buffer.
+  bool preferred = false;                            ///< The worker runs before ordinary threads.
+};
+
+/// The newest pose, handed over as soon as it is there.
+struct LiveFigure {
+  std::uint64_t number = 0;  ///< Counts poses.
+  /// Of all segments, from every cycle that has been decoded: LivePose::ahead.
+  std::vector<body::SegmentPose> pose;
+  double time_s = 0.0;  ///< The instant it shows, on the stream's clock.
+  PoseTimes times;      ///< Up to `solved`; zeros while the clock of the stream is not known.
 };
 
 struct LiveSettings {
@@ -79,9 +90,13 @@ class LiveSession {
   /// A copy of the newest state, when it changed since `seen_version`; never blocks for longer than the copy.
   [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const;
 
+  /// The newest pose; null before the first.
+  [[nodiscard]] std::shared_ptr<const LiveFigure> figure() const;
+  /// Called on the session's thread whenever there is a new `figure()`: shall only pass the word on. Set before `start`.
+  void on_figure(std::function<void()> told);
+
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<struct LiveWorker> worker_;
 };
 
 }  // namespace limbwave::solve

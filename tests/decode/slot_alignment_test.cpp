@@ -7,6 +7,8 @@
 #include <functional>
 #include <numbers>
 
+#include "decode/alignment_kernel.h"
+
 namespace limbwave::decode {
 namespace {
 
@@ -182,6 +184,83 @@ TEST(SlotAlignment, SurvivesOnlyBadCycles) {
   for (const AccelerationFrame& frame : align(cycles)) {
     EXPECT_EQ(frame.usable, 0U);
     EXPECT_TRUE(frame.volts[0].allFinite());
+  }
+}
+
+TEST(SlotAlignment, GivesAFirstVersionOfTheCyclesThatStillWait) {
+  const Signal signal = sine(2.0);
+  const auto cycles = cycles_of(signal, 60);
+  SlotAligner aligner(5, SampleRate{kRate});
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    aligner.push(cycles[i]);
+    const auto ahead = aligner.ahead();
+    ASSERT_EQ(ahead.size(), std::min<std::size_t>(i, 2)) << "the newest cycle is there, but for the first of a run";
+    if (ahead.empty()) {
+      continue;
+    }
+    EXPECT_DOUBLE_EQ(ahead.back().time_s * kRate, cycles[i].start_sample + 0.5 * cycles[i].period_samples);
+    if (i < AlignmentKernel::kBefore + 1) {
+      continue;
+    }
+    for (const AccelerationFrame& frame : ahead) {
+      EXPECT_EQ(frame.usable, 0x1fU);
+      for (int slot = 0; slot < 15; ++slot) {
+        EXPECT_NEAR(frame.volts[static_cast<std::size_t>(slot / 3)][slot % 3],
+                    value(signal, slot, frame.time_s * kRate), 0.005)
+            << "cycle " << i << ", slot " << slot;
+      }
+    }
+  }
+  // What comes out at last is not touched by having looked.
+  const auto looked = aligner.take_frames();
+  const auto plain = align(cycles);
+  ASSERT_EQ(looked.size() + 1, plain.size());
+  for (std::size_t i = 0; i < looked.size(); ++i) {
+    for (std::size_t sensor = 0; sensor < 5; ++sensor) {
+      EXPECT_EQ(looked[i].volts[sensor], plain[i].volts[sensor]);
+    }
+  }
+}
+
+TEST(SlotAlignment, AFirstVersionNeedsWholeSupport) {
+  auto cycles = cycles_of(sine(2.0), 20);
+  cycles[17].clipped = 1U << 4U;  // sensor 1
+  SlotAligner aligner(5, SampleRate{kRate});
+  for (const LineInCycle& cycle : cycles) {
+    aligner.push(cycle);
+  }
+  for (const AccelerationFrame& frame : aligner.ahead()) {
+    EXPECT_EQ(frame.usable, 0x1fU & ~(1U << 1U));
+  }
+  cycles = cycles_of(sine(2.0), 4);
+  SlotAligner young(5, SampleRate{kRate});
+  for (const LineInCycle& cycle : cycles) {
+    young.push(cycle);
+  }
+  for (const AccelerationFrame& frame : young.ahead()) {
+    EXPECT_EQ(frame.usable, 0U);
+  }
+}
+
+TEST(SlotAlignment, AFirstVersionIsHardlyNoisier) {
+  // White noise of unit variance on every slot, through the kernels' weights.
+  for (std::size_t after = 0; after <= AlignmentKernel::kAfter; ++after) {
+    const AlignmentKernel kernel(after);
+    double largest = 0.0;
+    for (const double offset : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
+      AlignmentKernel::Values instants{};
+      for (std::size_t k = 0; k < instants.size(); ++k) {
+        instants[k] = static_cast<double>(k) - static_cast<double>(AlignmentKernel::kBefore) + offset;
+      }
+      double variance = 0.0;
+      for (std::size_t k = 0; k <= AlignmentKernel::kBefore + after; ++k) {
+        AlignmentKernel::Values one{};
+        one[k] = 1.0;
+        variance += std::pow(kernel.at_zero(instants, one), 2);
+      }
+      largest = std::max(largest, variance);
+    }
+    EXPECT_LT(largest, after == 0 ? 6.6 : after == 1 ? 0.8 : 0.7) << after;
   }
 }
 

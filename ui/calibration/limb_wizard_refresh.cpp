@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/limb_wizard.h"
+#include "common/core_text.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
@@ -15,12 +16,12 @@ QString sensor_name(const body::Rig& rig, int sensor) {
 }
 
 QString sentence(const Error& error) {
-  QString text = QString::fromStdString(error.message);
+  QString text = core_text(error.message);
   if (!text.isEmpty()) {
     text[0] = text[0].toUpper();
   }
   if (!error.remedy.empty()) {
-    text += LimbWizard::tr(". Remedy: %1.").arg(QString::fromStdString(error.remedy));
+    text += LimbWizard::tr(". Remedy: %1.").arg(core_text(error.remedy));
   }
   return text;
 }
@@ -36,8 +37,8 @@ VerdictRowContent limb_row(const LimbOutcome& outcome, const body::Rig& rig, boo
   content.repeatable = live;
   if (!outcome.result) {
     content.state = refused_state();
-    content.text = QString::fromStdString(outcome.error.message);
-    content.comparison = QString::fromStdString(outcome.error.remedy);
+    content.text = core_text(outcome.error.message);
+    content.comparison = core_text(outcome.error.remedy);
     return content;
   }
   const calibrate::SensorLimbResult& result = *outcome.result;
@@ -187,8 +188,8 @@ void LimbWizard::refresh_results() {
   }
   for (const Diagnostic& diagnostic : model_.diagnostics()) {
     findings << tr("%1 %2; %3.")
-                    .arg(QString::fromStdString(diagnostic.place), QString::fromStdString(diagnostic.message),
-                         QString::fromStdString(diagnostic.remedy));
+                    .arg(QString::fromStdString(diagnostic.place), core_text(diagnostic.message),
+                         core_text(diagnostic.remedy));
   }
   findings_->setText(findings.join(QLatin1Char('\n')));
   findings_->setVisible(!findings.isEmpty());

@@ -3,6 +3,7 @@
 
 #include "calibration/calibration_words.h"
 #include "calibration/limb_wizard_model.h"
+#include "common/core_text.h"
 
 namespace limbwave::ui {
 
@@ -133,7 +134,7 @@ void LimbWizardModel::save() {
   desk_.save(std::move(change), [this, count](const Status& status) {
     saving_ = false;
     if (!status) {
-      Q_EMIT save_failed(QString::fromStdString(status.error().text()));
+      Q_EMIT save_failed(core_text(status.error().text()));
       Q_EMIT outcomes_changed();
       return;
     }

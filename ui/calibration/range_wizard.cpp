@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/units.h"
+#include "common/core_text.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
@@ -32,8 +33,8 @@ VerdictRowContent range_row(const RangeOutcome& outcome, const body::Rig& rig, b
   content.repeatable = live;
   if (!outcome.result) {
     content.state = refused_state();
-    content.text = QString::fromStdString(outcome.error.message);
-    content.comparison = QString::fromStdString(outcome.error.remedy);
+    content.text = core_text(outcome.error.message);
+    content.comparison = core_text(outcome.error.remedy);
     return content;
   }
   const calibrate::RangeResult& result = *outcome.result;
@@ -52,7 +53,7 @@ VerdictRowContent range_row(const RangeOutcome& outcome, const body::Rig& rig, b
     rest << RangeWizard::tr("attempt before: %1").arg(format_mg(*outcome.before_g));
   }
   for (const Diagnostic& diagnostic : result.diagnostics) {
-    rest << QString::fromStdString(diagnostic.message);
+    rest << core_text(diagnostic.message);
   }
   content.comparison = rest.join(QStringLiteral(" · "));
   return content;

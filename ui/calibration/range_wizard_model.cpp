@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calibration/calibration_words.h"
+#include "common/core_text.h"
 
 namespace limbwave::ui {
 namespace {
@@ -365,7 +366,7 @@ void RangeWizardModel::save() {
   desk_.save(std::move(change), [this, count](const Status& status) {
     saving_ = false;
     if (!status) {
-      Q_EMIT save_failed(QString::fromStdString(status.error().text()));
+      Q_EMIT save_failed(core_text(status.error().text()));
       Q_EMIT outcomes_changed();
       return;
     }

@@ -38,6 +38,8 @@ class SessionBackend : public LiveBackend {
     session_.set_headings(headings);
   }
   [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override { return session_.snapshot(); }
+  [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const override { return session_.figure(); }
+  void on_figure(std::function<void()> told) override { session_.on_figure(std::move(told)); }
 
  private:
   solve::LiveSession session_;

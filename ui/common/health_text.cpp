@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "common/core_text.h"
+
 namespace limbwave::ui {
 namespace {
 
@@ -26,7 +28,7 @@ QString health_text(const solve::SensorHealth& health) {
   if (health.code == "no-calibration") {
     return Health::tr("works, but was never calibrated; calibrate its range");
   }
-  return QString::fromStdString(health.text);
+  return core_text(health.text);
 }
 
 }  // namespace limbwave::ui

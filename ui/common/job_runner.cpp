@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <exception>
 
+#include "common/core_text.h"
+
 namespace limbwave::ui {
 
 Job::Job(QString title, QObject* parent) : QObject(parent), title_(std::move(title)) {
@@ -71,7 +73,7 @@ Job* JobRunner::start(const QString& title, QObject* owner, Work work, Done done
         QString step = QString::fromUtf8(what.data(), static_cast<qsizetype>(what.size()));
         QMetaObject::invokeMethod(job, [job, fraction, step = std::move(step)] {
           job->fraction_ = std::clamp(fraction, 0.0, 1.0);
-          job->step_ = step;
+          job->step_ = core_text(step.toStdString());
           Q_EMIT job->changed();
         });
       }

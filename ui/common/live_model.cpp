@@ -1,8 +1,10 @@
 #include "common/live_model.h"
 
-#include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <mutex>
 
+#include "common/core_text.h"
 #include "common/format.h"
 
 namespace limbwave::ui {
@@ -11,14 +13,42 @@ double steady_now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// What a session rings from its own thread.
+struct LiveModel::Bell {
+  std::mutex mutex;
+  LiveModel* model = nullptr;        // null once it is gone
+  std::atomic<bool> ringing{false};  // the interface has not answered yet
+
+  void ring() {
+    if (ringing.exchange(true)) {
+      return;
+    }
+    const std::scoped_lock lock(mutex);
+    if (model != nullptr) {
+      QMetaObject::invokeMethod(
+          model,
+          [model = model] {
+            model->bell_->ringing = false;
+            Q_EMIT model->figure_ready();
+          },
+          Qt::QueuedConnection);
+    }
+  }
+};
+
 LiveModel::LiveModel(const StudioServices& services, JobRunner& jobs, QObject* parent)
     : QObject(parent), services_(services), jobs_(jobs) {
+  bell_ = std::make_shared<Bell>();
+  bell_->model = this;
   timer_.setInterval(33);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &LiveModel::poll);
 }
 
-LiveModel::~LiveModel() = default;
+LiveModel::~LiveModel() {
+  const std::scoped_lock lock(bell_->mutex);
+  bell_->model = nullptr;
+}
 
 void LiveModel::set_state(LiveState state) {
   state_ = state;
@@ -33,9 +63,9 @@ void LiveModel::set_state(LiveState state) {
 void LiveModel::fail(const Error& error) {
   // The place is the device's id, which tells people nothing that the title does not, or a file.
   const bool is_device = error.place == device_id_.toStdString();
-  problem_ = as_sentence(
-      QString::fromStdString(error.place.empty() || is_device ? error.message : error.place + ": " + error.message));
-  remedy_ = as_sentence(QString::fromStdString(error.remedy));
+  problem_ =
+      as_sentence(core_text(error.place.empty() || is_device ? error.message : error.place + ": " + error.message));
+  remedy_ = as_sentence(core_text(error.remedy));
 }
 
 bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig,
@@ -59,7 +89,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   const std::uint64_t attempt = ++opening_;
   using Backend = std::shared_ptr<LiveBackend>;
   auto work = [open_device = services_.open_device, make_live = services_.make_live, id = device_id.toStdString(), rig,
-               rate_hz, live_settings = settings_](const Progress&) -> Result<Backend> {
+               rate_hz, live_settings = settings_, bell = bell_](const Progress&) -> Result<Backend> {
     acquire::StreamFormat format;
     format.rate = SampleRate{rate_hz};
     auto source = open_device(id, format, rig);
@@ -67,6 +97,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
       return source.error();
     }
     Backend backend = make_live(std::move(source).value(), live_settings);
+    backend->on_figure([bell] { bell->ring(); });
     if (Status started = backend->start(); !started) {
       return started.error();
     }
@@ -95,6 +126,7 @@ void LiveModel::close() {
   }
   ++opening_;
   drawn_.clear();
+  counted_from_s_ = 0.0;
   const bool had_snapshot = snapshot_ != nullptr;
   snapshot_.reset();
   if (backend_) {
@@ -114,8 +146,8 @@ void LiveModel::close() {
   }
 }
 
-std::shared_ptr<const solve::LiveSnapshot> LiveModel::newest() const {
-  return backend_ && running() && !finishing_ ? backend_->snapshot() : nullptr;
+std::shared_ptr<const solve::LiveFigure> LiveModel::figure() const {
+  return backend_ && running() && !finishing_ ? backend_->figure() : nullptr;
 }
 
 void LiveModel::poll() {
@@ -130,7 +162,7 @@ void LiveModel::poll() {
   const bool had_error = snapshot_ && !snapshot_->recording_error.empty();
   snapshot_ = std::move(next);
   if (recording_ && !had_error && !snapshot_->recording_error.empty()) {
-    Q_EMIT recording_failed(as_sentence(QString::fromStdString(snapshot_->recording_error)), {});
+    Q_EMIT recording_failed(as_sentence(core_text(snapshot_->recording_error)), {});
     stop_recording();
   }
   if (was_alive && !snapshot_->source_alive) {
@@ -218,34 +250,22 @@ void LiveModel::set_headings(const std::vector<std::vector<solve::HeadingKey>>& 
   }
 }
 
-void LiveModel::note_drawn(double pose_capture_time_s) {
-  const double now = steady_now_s();
-  if (pose_capture_time_s <= 0.0 || pose_capture_time_s > now) {
-    return;
+void LiveModel::note_drawn(const solve::PoseTimes& times) {
+  constexpr double kSettling_s = 1.0;
+  if (counted_from_s_ == 0.0) {
+    counted_from_s_ = times.drawn + kSettling_s;
   }
-  drawn_.emplace_back(now, now - pose_capture_time_s);
-  drawn_.erase(drawn_.begin(),
-               std::find_if(drawn_.begin(), drawn_.end(), [now](const auto& d) { return d.first > now - 2.0; }));
+  if (times.drawn >= counted_from_s_) {
+    drawn_.add(times);
+  }
 }
 
-double LiveModel::latency_mean_s() const {
-  if (!drawn_.empty()) {
-    double sum = 0.0;
-    for (const auto& [time, latency] : drawn_) {
-      sum += latency;
-    }
-    return sum / static_cast<double>(drawn_.size());
+solve::LatencyReport LiveModel::latency() const {
+  solve::LatencyReport report = drawn_.report();
+  if (report.poses == 0 && snapshot_) {
+    report = snapshot_->latency;
   }
-  return snapshot_ && !snapshot_->pose.empty() ? snapshot_->latency_mean_s : -1.0;
-}
-
-double LiveModel::latency_max_s() const {
-  if (!drawn_.empty()) {
-    return std::max_element(drawn_.begin(), drawn_.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })
-        ->second;
-  }
-  return snapshot_ && !snapshot_->pose.empty() ? snapshot_->latency_max_s : -1.0;
+  return report;
 }
 
 }  // namespace limbwave::ui

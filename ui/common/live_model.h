@@ -28,9 +28,8 @@ class LiveModel : public QObject {
   [[nodiscard]] bool starting() const { return starting_; }
   /// True between "Stop" and the moment at which the take is complete on disk.
   [[nodiscard]] bool finishing() const { return finishing_; }
-  /// The newest state as of now, without waiting for the next `snapshot_changed`; null while nothing runs. For faces
-  /// that draw faster than the rest of the studio.
-  [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> newest() const;
+  /// The newest pose as of now; null while there is none. For the face that draws it: `figure_ready` says when.
+  [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const;
   /// The newest state; null while nothing has been captured.
   [[nodiscard]] const std::shared_ptr<const solve::LiveSnapshot>& snapshot() const { return snapshot_; }
   /// Rig, skeleton and calibration of the running capture.
@@ -57,16 +56,16 @@ class LiveModel : public QObject {
   void set_calibration(const calibrate::RigCalibration& calibration);
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings);
 
-  /// A viewer has drawn the pose that was captured at this steady_clock time: keeps capture-to-screen latency.
-  void note_drawn(double pose_capture_time_s);
-  /// Capture to screen, beyond the device's buffer, seconds: mean and largest of the last two seconds. When no viewer
-  /// draws, what the session measured up to the solved pose. Negative: not measured.
-  [[nodiscard]] double latency_mean_s() const;
-  [[nodiscard]] double latency_max_s() const;
+  /// A viewer has shown a pose: the times of its figure, with `taken` and `drawn`.
+  void note_drawn(const solve::PoseTimes& times);
+  /// Capture to screen, beyond the device's buffer, of the last ten seconds, the first second of a capture aside. When
+  /// no viewer draws, what the session measured up to the solved pose; no poses: not measured.
+  [[nodiscard]] solve::LatencyReport latency() const;
 
  Q_SIGNALS:
   void state_changed();
   void snapshot_changed();
+  void figure_ready();  ///< At once when a pose is there; several poses that come while the interface is busy are one.
   void recording_changed();
   void marked(const QString& text);
   void source_lost();  ///< The device is gone; `problem()` says so.
@@ -89,8 +88,11 @@ class LiveModel : public QObject {
   std::shared_ptr<LiveBackend> backend_;
   std::shared_ptr<const solve::LiveSnapshot> snapshot_;
   QTimer timer_;
-  std::uint64_t opening_ = 0;                     ///< Counts attempts, so that one that was overtaken is dropped.
-  std::vector<std::pair<double, double>> drawn_;  ///< Clock time and latency, seconds, of the last two seconds.
+  std::uint64_t opening_ = 0;  ///< Counts attempts, so that one that was overtaken is dropped.
+  solve::LatencyMeter drawn_;
+  double counted_from_s_ = 0.0;  ///< Before that a capture is still finding its feet: caches, first frames.
+  struct Bell;
+  std::shared_ptr<Bell> bell_;  ///< Outlives this model in the hands of a session that is being closed.
 };
 
 /// steady_clock in seconds, the clock of `LiveSource::newest_frame_time_s`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/progress.h"
+#include "common/core_text.h"
 #include "common/format.h"
 
 namespace limbwave::ui {
@@ -26,8 +27,8 @@ void Notifications::post_error(const QString& what, const Error& error) {
     return;
   }
   QString text = what.isEmpty() ? QString() : what + QStringLiteral(": ");
-  text += QString::fromStdString(error.place.empty() ? error.message : error.place + ": " + error.message);
-  post(Severity::kError, as_sentence(text), as_sentence(QString::fromStdString(error.remedy)));
+  text += core_text(error.place.empty() ? error.message : error.place + ": " + error.message);
+  post(Severity::kError, as_sentence(text), as_sentence(core_text(error.remedy)));
 }
 
 void Notifications::dismiss(int id) {

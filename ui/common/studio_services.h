@@ -29,6 +29,10 @@ class LiveBackend {
   virtual void set_calibration(const calibrate::RigCalibration& calibration) = 0;
   virtual void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) = 0;
   [[nodiscard]] virtual std::shared_ptr<const solve::LiveSnapshot> snapshot() const = 0;
+  /// The newest pose; null before the first, and where a backend has no figures.
+  [[nodiscard]] virtual std::shared_ptr<const solve::LiveFigure> figure() const { return nullptr; }
+  /// `told` runs on any thread whenever there is a new `figure()`. Set before `start`.
+  virtual void on_figure(std::function<void()> /*told*/) {}
 };
 
 struct StudioServices {

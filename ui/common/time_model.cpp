@@ -1,15 +1,27 @@
 #include "common/time_model.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace limbwave::ui {
 
-TimeModel::TimeModel(QObject* parent) : QObject(parent) {
+TimeModel::TimeModel(QObject* parent, std::function<qint64()> now_ns) : QObject(parent), now_ns_(std::move(now_ns)) {
+  if (!now_ns_) {
+    now_ns_ = [] { return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+  }
   timer_.setInterval(16);
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this,
-          [this] { advance(static_cast<double>(clock_.nsecsElapsed()) * 1e-9), clock_.restart(); });
+  connect(&timer_, &QTimer::timeout, this, &TimeModel::catch_up);
+}
+
+void TimeModel::catch_up() {
+  // One reading for both, so that no time is lost between them.
+  const qint64 now = now_ns_();
+  const double passed_s = static_cast<double>(now - last_ns_) * 1e-9;
+  last_ns_ = now;
+  advance(passed_s);
 }
 
 void TimeModel::set_extent(double duration_s, double frame_s) {
@@ -91,7 +103,7 @@ void TimeModel::set_playing(bool playing) {
     } else if (speed_ < 0.0 && playhead_s_ <= 0.0) {
       set_playhead(duration_s_);
     }
-    clock_.start();
+    last_ns_ = now_ns_();
     timer_.start();
   } else {
     timer_.stop();

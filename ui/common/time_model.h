@@ -1,16 +1,17 @@
 /// The one playhead and the one visible range that plots, timeline, curves and viewer share, and playing.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 
 namespace limbwave::ui {
 
 class TimeModel : public QObject {
   Q_OBJECT
  public:
-  explicit TimeModel(QObject* parent = nullptr);
+  /// `now_ns`: a clock that never goes back, nanoseconds; tests bring their own.
+  explicit TimeModel(QObject* parent = nullptr, std::function<qint64()> now_ns = {});
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
   [[nodiscard]] double frame_s() const { return frame_s_; }  ///< Length of a frame of the clip, seconds.
@@ -38,8 +39,10 @@ class TimeModel : public QObject {
   /// At the end it starts again from the beginning.
   void set_playing(bool playing);
   void toggle_playing() { set_playing(!playing_); }
-  /// Lets `elapsed_s` of wall-clock time pass while playing; the timer calls it, and so do tests.
+  /// Lets `elapsed_s` pass while playing.
   void advance(double elapsed_s);
+  /// Moves the playhead to where the clock has got to; the timer calls it.
+  void catch_up();
 
  Q_SIGNALS:
   void extent_changed();
@@ -52,7 +55,8 @@ class TimeModel : public QObject {
   double duration_s_ = 0.0, frame_s_ = 1.0 / 60.0, playhead_s_ = 0.0, begin_s_ = 0.0, end_s_ = 0.0, speed_ = 1.0;
   bool playing_ = false, looping_ = true;
   QTimer timer_;
-  QElapsedTimer clock_;
+  std::function<qint64()> now_ns_;
+  qint64 last_ns_ = 0;  ///< The clock's reading that the playhead stands for.
 };
 
 }  // namespace limbwave::ui

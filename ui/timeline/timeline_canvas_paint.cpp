@@ -2,6 +2,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/theme.h"
@@ -11,6 +12,8 @@
 namespace limbwave::ui {
 
 namespace {
+
+constexpr double kClosestKeys = 2.0;  // pixels
 
 void paint_diamond(QPainter& painter, const QPointF& at, double half, const QColor& fill, const QColor& edge) {
   QPainterPath path;
@@ -87,13 +90,16 @@ void TimelineCanvas::paint_markers(QPainter& painter) const {
                    Qt::AlignVCenter | Qt::AlignLeft, tr("Events"));
   painter.setClipRect(QRectF(kLabelWidth, 0, width() - kLabelWidth, height()));
   const double middle = kRulerHeight + kMarkerHeight / 2.0;
-  double free_from = kLabelWidth;  // Texts do not overlap: the earlier one stays.
+  std::array<double, 3> drawn_until{-1e9, -1e9, -1e9};  // Per kind: one every few pixels is enough.
+  double free_from = kLabelWidth;                       // Texts do not overlap: the earlier one stays.
   const QFontMetricsF metrics(painter.font());
   for (const TimelineMarker& marker : markers_) {
     const double x = s.x(marker.time_s);
-    if (x < kLabelWidth - 8 || x > width() + 8) {
+    double& until = drawn_until.at(static_cast<std::size_t>(marker.kind));
+    if (x < kLabelWidth - 8 || x > width() + 8 || x < until) {
       continue;
     }
+    until = x + kClosestKeys;
     // The shape says the kind, too: flag, cross, triangle.
     painter.setPen(Qt::NoPen);
     QPainterPath shape;
@@ -169,12 +175,21 @@ void TimelineCanvas::paint_lanes(QPainter& painter) const {
       painter.setPen(QPen(theme.dim, 1));
       painter.drawLine(QPointF(s.x(list.front().time_s), middle), QPointF(s.x(list.back().time_s), middle));
     }
-    for (const LaneKey& key : list) {
+    // Only what is in view, and of keys that lie on one another the first: an hour may have thousands.
+    const auto first = std::lower_bound(list.begin(), list.end(), s.time(kLabelWidth - kKeyHalf),
+                                        [](const LaneKey& key, double time_s) { return key.time_s < time_s; });
+    double drawn_until = -1e9;
+    for (auto at = first; at != list.end(); ++at) {
+      const LaneKey& key = *at;
       const double x = s.x(key.time_s);
-      if (x < kLabelWidth - kKeyHalf || x > width() + kKeyHalf) {
-        continue;
+      if (x > width() + kKeyHalf) {
+        break;
       }
       const bool selected = keys_.is_selected({lane, key.id});
+      if (x < drawn_until && !selected) {
+        continue;
+      }
+      drawn_until = x + kClosestKeys;
       paint_diamond(painter, {x, middle}, selected ? kKeyHalf + 1 : kKeyHalf, selected ? theme.accent : theme.dim,
                     selected ? theme.text : theme.base);
     }
@@ -213,10 +228,18 @@ void TimelineCanvas::paint_overview(QPainter& painter) const {
       overview_thumb(time_.visible_begin_s(), time_.visible_end_s(), time_.duration_s(), bar.left(), bar.width(), 24);
   painter.setBrush(theme.line);
   painter.drawRoundedRect(QRectF(thumb.begin, bar.top(), thumb.end - thumb.begin, bar.height()), 4, 4);
+  double losses_until = -1.0;  // One a pixel is enough.
+  double others_until = -1.0;
   for (const TimelineMarker& marker : markers_) {
-    painter.setBrush(marker.kind == TimelineMarker::Kind::kLoss ? theme.danger : theme.dim);
-    painter.drawRect(
-        QRectF(bar.left() + bar.width() * marker.time_s / time_.duration_s(), bar.top(), 1.5, bar.height()));
+    const double x = bar.left() + bar.width() * marker.time_s / time_.duration_s();
+    const bool loss = marker.kind == TimelineMarker::Kind::kLoss;
+    double& until = loss ? losses_until : others_until;
+    if (x < until) {
+      continue;
+    }
+    until = x + 1.0;
+    painter.setBrush(loss ? theme.danger : theme.dim);
+    painter.drawRect(QRectF(x, bar.top(), 1.5, bar.height()));
   }
   painter.setBrush(theme.accent);
   painter.drawRect(QRectF(bar.left() + bar.width() * time_.playhead_s() / time_.duration_s() - 1, bar.top() - 1, 2,

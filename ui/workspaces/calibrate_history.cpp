@@ -5,6 +5,7 @@
 #include <QScrollArea>
 
 #include "calibration/gauges.h"
+#include "common/core_text.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 
@@ -103,7 +104,7 @@ void CalibrateHistory::refresh() {
     list_layout_->addWidget(dim_label(tr("none yet"), list_));
   }
   for (const Diagnostic& diagnostic : desk_.listing().diagnostics) {
-    auto* label = new QLabel(QString::fromStdString(diagnostic.place + ": " + diagnostic.message), list_);
+    auto* label = new QLabel(core_text(diagnostic.place + ": " + diagnostic.message), list_);
     label->setWordWrap(true);
     list_layout_->addWidget(label);
   }

@@ -31,7 +31,6 @@ bool in_a_group(const body::Rig& rig, int sensor) {
 }  // namespace
 
 CalibrationSummary summarize(const body::Rig& rig, const calibrate::RigCalibration& calibration) {
-  using Words = CalibrateOverview;
   CalibrationSummary summary;
   const auto count = static_cast<int>(rig.accelerometers.size());
   int mountable = 0;
@@ -48,20 +47,23 @@ CalibrationSummary summarize(const body::Rig& rig, const calibrate::RigCalibrati
       bad << QString::fromStdString(rig.accelerometers[at].name);
     }
   }
-  summary.headline =
-      summary.ranges == count && summary.mounts >= mountable && bad.isEmpty()
-          ? Words::tr("Everything is calibrated")
-          : Words::tr("Range: %1 of %3.  Mounting: %2 of %3.").arg(summary.ranges).arg(summary.mounts).arg(count);
+  summary.headline = summary.ranges == count && summary.mounts >= mountable && bad.isEmpty()
+                         ? CalibrateOverview::tr("Everything is calibrated")
+                         : CalibrateOverview::tr("Range: %1 of %3.  Mounting: %2 of %3.")
+                               .arg(summary.ranges)
+                               .arg(summary.mounts)
+                               .arg(count);
   if (summary.ranges < count) {
-    summary.next = Words::tr(
+    summary.next = CalibrateOverview::tr(
         "Next: calibrate the range, once in a sensor's life. Uncalibrated sensors may point 6° "
         "or more beside the truth.");
   } else if (summary.mounts < mountable) {
-    summary.next = Words::tr("Next: put the sensors on and calibrate the mounting.");
+    summary.next = CalibrateOverview::tr("Next: put the sensors on and calibrate the mounting.");
   } else if (!bad.isEmpty()) {
-    summary.next = Words::tr("Repeat: %1.").arg(bad.join(Words::tr(", ")));
+    summary.next = CalibrateOverview::tr("Repeat: %1.").arg(bad.join(CalibrateOverview::tr(", ")));
   } else {
-    summary.next = Words::tr("Calibrate the mounting again whenever the sensors are put on anew or have slipped.");
+    summary.next =
+        CalibrateOverview::tr("Calibrate the mounting again whenever the sensors are put on anew or have slipped.");
   }
   return summary;
 }

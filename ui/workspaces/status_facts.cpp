@@ -4,8 +4,10 @@
 #include <QLocale>
 #include <cmath>
 
+#include "common/core_text.h"
 #include "common/format.h"
 #include "common/health_text.h"
+#include "common/latency_text.h"
 
 namespace limbwave::ui {
 namespace {
@@ -33,7 +35,7 @@ StatusFact StatusFacts::record(const StatusInput& in) {
   if (live != nullptr && !live->recording_error.empty()) {
     fact.tone = Tone::kDanger;
     fact.text = tr("recording stopped");
-    fact.detail = QString::fromStdString(live->recording_error);
+    fact.detail = core_text(live->recording_error);
   } else if (in.finishing) {
     fact.text = tr("closing the take");
     fact.detail = tr("The last samples are being written.");
@@ -139,18 +141,13 @@ StatusFact StatusFacts::latency(const StatusInput& in) {
       QStringLiteral("latency"), Tone::kUnknown, tr("latency –"),
       tr("From the sensor to the screen, beyond the device's own buffer; known while a skeleton is shown live."),
       QStringLiteral("line")};
-  if (in.latency_mean_s < 0.0) {
+  if (in.latency.poses == 0) {
     return fact;
   }
-  const auto mean = std::lround(in.latency_mean_s * 1000.0);
-  fact.tone = in.latency_mean_s <= 0.080 ? Tone::kGood : Tone::kWarning;
-  fact.text = tr("latency %1 ms").arg(mean);
-  fact.detail =
-      tr("From the sensor to the screen, beyond the device's own buffer: %1 ms on average, %2 ms at most; the "
-         "device adds %3 ms.")
-          .arg(mean)
-          .arg(std::lround(in.latency_max_s * 1000.0))
-          .arg(std::lround((in.snapshot != nullptr ? in.snapshot->device_latency_s : 0.0) * 1000.0));
+  const solve::LatencyFigures& total = in.latency.of(solve::LatencyStage::kTotal);
+  fact.tone = total.p95_s <= solve::kLatencyBudget_s ? Tone::kGood : Tone::kWarning;
+  fact.text = tr("latency %1 ms").arg(std::lround(total.mean_s * 1000.0));
+  fact.detail = latency_sentences(in.latency, in.snapshot != nullptr ? in.snapshot->device_latency_s : 0.0);
   return fact;
 }
 

@@ -25,8 +25,8 @@ struct StatusInput {
   bool recording = false, finishing = false;
   const solve::LiveSnapshot* snapshot = nullptr;  ///< May be null.
   double disk_left_s = -1.0;                      ///< Negative: not known.
-  double latency_mean_s = -1.0, latency_max_s = -1.0;
-  QString problem, remedy;  ///< Of the live model.
+  solve::LatencyReport latency = {};              ///< Without poses: not known.
+  QString problem, remedy;                        ///< Of the live model.
 };
 
 std::vector<StatusFact> status_facts(const StatusInput& input);

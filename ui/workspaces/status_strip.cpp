@@ -159,8 +159,7 @@ void StatusStrip::refresh() {
                           .finishing = live.finishing(),
                           .snapshot = live.snapshot().get(),
                           .disk_left_s = context_.disk_left_s(),
-                          .latency_mean_s = live.latency_mean_s(),
-                          .latency_max_s = live.latency_max_s(),
+                          .latency = live.latency(),
                           .problem = live.problem(),
                           .remedy = live.remedy()};
   const std::vector<StatusFact> facts = status_facts(input);

@@ -2,12 +2,30 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
+#include <array>
 #include <limits>
+#include <memory>
+#include <string>
 
 #include "common/job_runner.h"
 
 namespace limbwave::ui {
 namespace {
+
+// Timers need an application's event dispatcher.
+class WithApplication : public testing::Environment {
+ public:
+  void SetUp() override { application_ = std::make_unique<QCoreApplication>(count_, arguments_.data()); }
+  void TearDown() override { application_.reset(); }
+
+ private:
+  int count_ = 1;
+  std::string name_ = "test";
+  std::array<char*, 2> arguments_{name_.data(), nullptr};
+  std::unique_ptr<QCoreApplication> application_;
+};
+[[maybe_unused]] const auto* const kApplication = testing::AddGlobalTestEnvironment(new WithApplication);
 
 TEST(TimeModel, PlayheadStaysWithinTheClip) {
   TimeModel time;
@@ -67,6 +85,22 @@ TEST(TimeModel, PlaysLoopsAndStops) {
   time.advance(0.5);
   EXPECT_EQ(time.playhead_s(), 0.0);
   EXPECT_FALSE(time.playing());
+}
+
+TEST(TimeModel, PlayingKeepsStepWithTheClock) {
+  qint64 now = 1'000'000'000;
+  TimeModel time(nullptr, [&now] {
+    now += 3'000;  // reading the clock takes time as well
+    return now;
+  });
+  time.set_extent(7200.0, 1.0 / 60.0);
+  time.set_playing(true);
+  const qint64 begin = now;
+  for (int tick = 0; tick < 60 * 60 * 60; ++tick) {  // an hour
+    now += 16'666'667 - 3'000 + (tick % 7) * 1000;
+    time.catch_up();
+  }
+  EXPECT_NEAR(time.playhead_s(), static_cast<double>(now - begin) * 1e-9, 1e-6);
 }
 
 TEST(JobRunner, TimeLeftIsNotGuessedTooEarly) {

@@ -5,10 +5,13 @@
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "interchange/bvh_reader.h"
 #include "ui/support/solve_fixture.h"
+#include "viewer/viewer_widget.h"
 
 namespace limbwave::ui::testing {
 
@@ -97,6 +100,55 @@ class ExportWorkspaceTest : public QObject {
     const int upper = back->skeleton.find("upper_arm");
     QVERIFY(upper >= 0);
     QVERIFY(std::abs(back->skeleton.segments[static_cast<std::size_t>(upper)].length - 0.30) < 1e-3);
+  }
+
+  void the_preview_shows_the_files_frames() {
+    open(solving_->services());
+    auto& workspace = *qobject_cast<ExportWorkspace*>(studio_->window->workspace(QStringLiteral("export")));
+    ExportPreview& preview = workspace.preview();
+    QVERIFY(preview.viewer() != nullptr);
+    auto* rates = find<QComboBox>(QStringLiteral("Frame rate"));
+    rates->setCurrentIndex(rates->findData(24.0));
+    studio_->context->time().set_playhead(2.03);  // between frames 48 and 49
+    QCOMPARE(preview.frame(), std::size_t{48});
+    QVERIFY(says(QStringLiteral("Frame 49 of 193")));
+    std::vector<body::SegmentPose> expected;
+    studio_->model->pose_at(2.0, expected);
+    QVERIFY((preview.viewer()->pose()[3].p_WL - expected[3].p_WL).norm() < 1e-12);
+    auto* tree = find<QTreeWidget>(QStringLiteral("Joints of the file"));
+    QVERIFY(tree != nullptr);
+    QCOMPARE(tree->findItems(QStringLiteral("upper_arm"), Qt::MatchExactly | Qt::MatchRecursive).size(), 1);
+    const auto length = [&] {
+      return tree->findItems(QStringLiteral("upper_arm"), Qt::MatchExactly | Qt::MatchRecursive).front()->text(1);
+    };
+    QCOMPARE(length(), QStringLiteral("30.0 cm"));
+    QVERIFY(studio_->model->change_length(1, 0.4));
+    QCOMPARE(length(), QStringLiteral("40.0 cm"));
+    QSignalSpy frames(preview.viewer(), &ViewerWidget::frame_rendered);
+    studio_->context->time().set_playhead(3.0);
+    QVERIFY(frames.wait(5000));
+    save(QStringLiteral("export-preview"));
+  }
+
+  void a_part_can_be_exported() {
+    open(solving_->services());
+    studio_->context->time().set_visible(2.0, 5.0);
+    auto* ranges = find<QComboBox>(QStringLiteral("Range"));
+    ranges->setCurrentIndex(1);
+    auto* rates = find<QComboBox>(QStringLiteral("Frame rate"));
+    rates->setCurrentIndex(rates->findData(30.0));
+    QVERIFY(says(QStringLiteral("91 frames")));
+    studio_->context->time().set_playhead(1.0);
+    auto& workspace = *qobject_cast<ExportWorkspace*>(studio_->window->workspace(QStringLiteral("export")));
+    QCOMPARE(workspace.preview().frame(), std::size_t{0});
+    QTest::mouseClick(button(QStringLiteral("Export")), Qt::LeftButton);
+    QTRY_VERIFY(says(QStringLiteral("91 frames at 30 Hz")));
+    const auto back = interchange::load_bvh(file()->text().toStdString());
+    QVERIFY(back.ok());
+    std::vector<body::SegmentPose> shown;
+    studio_->model->pose_at(3.0, shown);
+    const auto pose = motion::pose_at(*back, 1.0);
+    QVERIFY((pose[3].p_WL - pose[2].p_WL - (shown[3].p_WL - shown[2].p_WL)).norm() < 1e-3);
   }
 
   void edits_are_in_the_file() {

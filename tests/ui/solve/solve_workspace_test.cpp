@@ -10,8 +10,13 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
+#include <algorithm>
+#include <atomic>
+#include <thread>
 
 #include "base/units.h"
+#include "common/latency_text.h"
+#include "common/widgets.h"
 #include "simulate/simulate.h"
 #include "ui/support/solve_fixture.h"
 #include "workspaces/solve/bone_card.h"
@@ -22,33 +27,62 @@ namespace limbwave::ui::testing {
 
 namespace {
 
-/// A capture whose pose is always one frame old.
+/// A capture with a pose every 17 ms, each one frame old.
 class FakeCapture : public LiveBackend {
  public:
   explicit FakeCapture(body::Skeleton skeleton) : skeleton_(std::move(skeleton)) {}
-  Status start() override { return {}; }
-  void stop() override {}
+  ~FakeCapture() override { end(); }
+  Status start() override {
+    running_ = true;
+    thread_ = std::thread([this] {
+      while (running_) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(17));
+        ++number_;
+        told_();
+      }
+    });
+    return {};
+  }
+  void stop() override { end(); }
   Status start_recording(const std::filesystem::path&, const std::string&) override { return {}; }
   Result<take::Take> stop_recording() override { return take::Take{}; }
   void mark(const std::string&) override {}
   void set_calibration(const calibrate::RigCalibration&) override {}
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
+  void on_figure(std::function<void()> told) override { told_ = std::move(told); }
   [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
-    auto made = std::make_shared<solve::LiveSnapshot>();
-    made->version = ++version_;
+    return std::make_shared<solve::LiveSnapshot>();
+  }
+  [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const override {
+    if (number_ == 0) {
+      return nullptr;
+    }
+    auto made = std::make_shared<solve::LiveFigure>();
+    made->number = number_;
     const std::vector<double> now{steady_now_s()};
     std::vector<body::Quaterniond> R;
     for (const auto& list : made_up_motion(skeleton_, now)) {
       R.push_back(list.front());
     }
     made->pose = body::poses_from_orientations(skeleton_, R, skeleton_.segments.front().p_PL);
-    made->pose_capture_time_s = now.front() - 0.017;
+    made->times.oldest_slot = now.front() - 0.017;
+    made->times.instant = made->times.oldest_slot + 0.008;
+    made->times.cycle_end = made->times.arrived = made->times.solved = now.front();
     return made;
   }
 
  private:
+  void end() {
+    running_ = false;
+    if (thread_.joinable()) {
+      thread_.join();
+    }
+  }
   body::Skeleton skeleton_;
-  mutable std::uint64_t version_ = 0;
+  std::function<void()> told_;
+  std::thread thread_;
+  std::atomic<bool> running_{false};
+  std::atomic<std::uint64_t> number_{0};
 };
 
 class SilentSource : public acquire::LiveSource {
@@ -347,14 +381,28 @@ class SolveWorkspaceTest : public QObject {
     QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
     QTRY_VERIFY(workspace().shows_live());
     QSignalSpy frames(&workspace().viewer(), &ViewerWidget::frame_rendered);
-    QTRY_VERIFY(frames.size() > 30);
-    // Includes the 17 ms that the pose is old before the viewer gets it.
-    const double mean = studio_->context->live().latency_mean_s();
-    QVERIFY(mean > 0.017);
+    const LiveModel& live = studio_->context->live();
+    // The first second is not counted.
+    QTRY_VERIFY_WITH_TIMEOUT(live.latency().poses > 30, 20000);
+    const solve::LatencyReport report = live.latency();
+    QVERIFY(static_cast<std::size_t>(frames.size()) >= report.poses);
+    QVERIFY(qAbs(report.of(solve::LatencyStage::kCycle).mean_s - 0.017) < 1e-6);
+    QVERIFY(report.of(solve::LatencyStage::kDraw).mean_s > 0.0);
+    double sum = 0.0;
+    for (std::size_t stage = 0; stage + 1 < solve::kLatencyStages; ++stage) {
+      sum += report.stages[stage].mean_s;
+    }
+    QVERIFY(qAbs(report.of(solve::LatencyStage::kTotal).mean_s - sum) < 1e-9);
     const Eigen::Vector3d then = workspace().viewer().pose()[3].p_WL;
     QTRY_VERIFY((workspace().viewer().pose()[3].p_WL - then).norm() > 0.01);
-    qInfo("capture to screen: %.1f ms mean, %.1f ms at most, of which 17 ms are the made-up age of the pose",
-          1e3 * mean, 1e3 * studio_->context->live().latency_max_s());
+    qInfo().noquote() << latency_sentences(report, 0.0);
+    const auto told = [this] {
+      const auto labels = studio_->window->findChildren<ElidedLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [](const ElidedLabel* label) {
+        return label->full_text().contains(QStringLiteral("sensor to screen"));
+      });
+    };
+    QTRY_VERIFY(told());
     save(QStringLiteral("solve-live"));
     studio_->context->live().close();
     QTRY_VERIFY(!workspace().shows_live());

@@ -99,8 +99,11 @@ class FakeBackend : public LiveBackend {
     shot->device_latency_s = 0.021;
     if (line_->locked) {
       shot->pose.resize(3);
-      shot->latency_mean_s = 0.042;
-      shot->latency_max_s = 0.061;
+      shot->latency.poses = 600;
+      shot->latency.stages = {
+          {{0.016, 0.016, 0.016}, {0.007, 0.011, 0.012}, {0.001, 0.001, 0.003}, {}, {}, {0.024, 0.028, 0.031}}};
+      shot->latency_mean_s = 0.024;
+      shot->latency_max_s = 0.031;
     }
     return shot;
   }

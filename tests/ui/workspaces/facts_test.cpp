@@ -44,16 +44,20 @@ TEST(StatusFacts, AllWell) {
                     .recording = true,
                     .snapshot = &shot,
                     .disk_left_s = 82800.0,
-                    .latency_mean_s = 0.042,
-                    .latency_max_s = 0.06,
+                    .latency = {},
                     .problem = {},
                     .remedy = {}};
+  auto& total = input.latency.stages[static_cast<std::size_t>(solve::LatencyStage::kTotal)];
+  EXPECT_EQ(fact(input, "latency").tone, Tone::kUnknown);
+  input.latency.poses = 600;
+  total = {0.042, 0.055, 0.09};
   for (const StatusFact& one : status_facts(input)) {
     EXPECT_EQ(one.tone, Tone::kGood) << one.id.toStdString();
   }
   EXPECT_EQ(fact(input, "sensors").text, "sensors 5/5");
   EXPECT_EQ(fact(input, "latency").text, "latency 42 ms");
-  input.latency_mean_s = 0.081;
+  EXPECT_TRUE(fact(input, "latency").detail.contains("55 ms")) << fact(input, "latency").detail.toStdString();
+  total.p95_s = 0.081;
   EXPECT_EQ(fact(input, "latency").tone, Tone::kWarning);
 }
 

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <algorithm>
 
+#include "common/core_text.h"
 #include "common/format.h"
 
 namespace limbwave::ui {
@@ -119,7 +120,7 @@ void CaptureModel::refresh_devices() {
           devices_ = std::move(result).value();
         } else {
           devices_.clear();
-          search_problem_ = QString::fromStdString(result.error().text());
+          search_problem_ = core_text(result.error().text());
         }
         Q_EMIT devices_changed();
         const QString last = context_.settings().value(QStringLiteral("capture/device")).toString();

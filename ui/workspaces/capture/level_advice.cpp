@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "common/core_text.h"
 #include "common/format.h"
 #include "plots/level_meter.h"
 
@@ -64,9 +65,9 @@ std::vector<Advice> level_advice(const solve::LiveSnapshot* snapshot) {
     if (!fresh || finding->severity == Severity::kInfo || !seen.insert(finding->code).second) {
       continue;
     }
-    QString title = as_sentence(QString::fromStdString(finding->message));
+    QString title = as_sentence(core_text(finding->message));
     title.chop(1);
-    const QString remedy = as_sentence(QString::fromStdString(finding->remedy));
+    const QString remedy = as_sentence(core_text(finding->remedy));
     advice.push_back({finding->severity == Severity::kError ? Tone::kDanger : Tone::kWarning, title, remedy});
   }
   const Advice levels = LevelAdvice::from_levels(snapshot->line);

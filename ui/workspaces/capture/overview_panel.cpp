@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "common/core_text.h"
 #include "common/format.h"
 #include "common/theme.h"
 
@@ -94,8 +95,9 @@ void OverviewPanel::follow_take(bool other) {
   title_->set_text(facts.join(QStringLiteral("  ·  ")));
   std::vector<OverviewMark> marks;
   for (const take::TakeEvent& event : take->events) {
-    marks.push_back(
-        {info.format.rate.seconds(event.sample).value, QString::fromStdString(event.text), event.kind != "marker"});
+    marks.push_back({info.format.rate.seconds(event.sample).value,
+                     event.kind == "marker" ? QString::fromStdString(event.text) : core_text(event.text),
+                     event.kind != "marker"});
   }
   view_->set_marks(std::move(marks));
   if (!other) {

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 #include "interchange/bvh_reader.h"
@@ -58,8 +59,17 @@ QString export_file_problem(const std::filesystem::path& file, const QString& ex
   return {};
 }
 
-Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& plan, const BvhWriter& write,
+ExportRange range_of(const ExportPlan& plan, double duration_s) {
+  const ExportRange part{std::max(0.0, plan.begin_s), std::min(plan.end_s, duration_s)};
+  return part.begin_s < part.end_s ? part : ExportRange{0.0, duration_s};
+}
+
+Result<ExportResult> export_clip(const motion::Clip& whole, const ExportPlan& plan, const BvhWriter& write,
                                  const Progress& progress) {
+  const ExportRange range = range_of(plan, whole.duration());
+  const bool all = range.duration_s() >= whole.duration();
+  const motion::Clip part = all ? motion::Clip() : motion::trimmed(whole, range.begin_s, range.end_s);
+  const motion::Clip& clip = all ? whole : part;
   interchange::BvhWriteOptions options;
   options.fps = plan.fps;
   options.unit = plan.unit == ExportUnit::kMetres ? interchange::BvhUnit::kMetres : interchange::BvhUnit::kCentimetres;

@@ -32,7 +32,15 @@ struct ExportPlan {
   std::filesystem::path file;
   double fps = 60.0;
   ExportUnit unit = ExportUnit::kCentimetres;
+  double begin_s = 0.0, end_s = 0.0;  ///< Part of the clip; end 0: all of it.
 };
+
+struct ExportRange {
+  double begin_s = 0.0, end_s = 0.0;
+  [[nodiscard]] double duration_s() const { return end_s - begin_s; }
+};
+/// The plan's part of a clip of that duration; all of it when the plan's is empty or beyond its end.
+ExportRange range_of(const ExportPlan& plan, double duration_s);
 
 /// What a written file holds, read back from the file itself.
 struct ExportResult {
@@ -53,7 +61,8 @@ QString export_file_problem(const std::filesystem::path& file, const QString& ex
 using BvhWriter = std::function<Status(const motion::Clip&, const std::filesystem::path&,
                                        const interchange::BvhWriteOptions&, const Progress&)>;
 
-/// Writes, reads back and compares: frame count, bones, rate. Fails with what is wrong; then no new file is left.
+/// Writes the plan's part, reads back and compares: frame count, bones, rate. Fails with what is wrong; then no new
+/// file is left.
 Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& plan, const BvhWriter& write,
                                  const Progress& progress);
 

@@ -12,6 +12,7 @@
 #include <QUrl>
 #include <cmath>
 
+#include "common/core_text.h"
 #include "common/format.h"
 #include "common/icons.h"
 #include "common/theme.h"
@@ -21,11 +22,12 @@ namespace limbwave::ui {
 namespace {
 
 constexpr int kFormWidth = 640;
+constexpr int kPreviewWidth = 320;
 const auto kLastRate = QStringLiteral("export/fps");
 const auto kLastUnit = QStringLiteral("export/unit");
 
 QString sentence(const std::string& text) {
-  QString made = QString::fromStdString(text);
+  QString made = core_text(text);
   if (!made.isEmpty()) {
     made[0] = made[0].toUpper();
     if (!made.endsWith(QLatin1Char('.'))) {
@@ -46,19 +48,25 @@ ExportWorkspace::ExportWorkspace(StudioContext& context, QWidget* parent)
   empty_ = new EmptyState(QStringLiteral("export"), pages_);
   empty_button_ = empty_->add_button(tr("Go to Solve"), true);
   pages_->addWidget(empty_);
-  auto* area = new QScrollArea(pages_);
+  // The form scrolls where it does not fit; the picture stays in view.
+  auto* page = new QWidget(pages_);
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(3 * kGrid, 3 * kGrid, 3 * kGrid, 3 * kGrid);
+  row->setSpacing(2 * kGrid);
+  auto* area = new QScrollArea(page);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
-  auto* page = new QWidget(area);
-  auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(3 * kGrid, 4 * kGrid, 3 * kGrid, 3 * kGrid);
-  row->addStretch(1);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QWidget* form = make_form();
   form->setMaximumWidth(kFormWidth);
-  row->addWidget(form, 1000);
-  row->addStretch(1);
-  area->setWidget(page);
-  pages_->addWidget(area);
+  area->setWidget(form);
+  area->setMinimumWidth(form->minimumSizeHint().width());
+  area->setMaximumWidth(kFormWidth);
+  preview_ = new ExportPreview(context_, model_, page);
+  preview_->setMinimumWidth(kPreviewWidth);
+  row->addWidget(area, 1);
+  row->addWidget(preview_, 1);
+  pages_->addWidget(page);
   follow();
   show_take();
 }
@@ -91,6 +99,9 @@ QWidget* ExportWorkspace::make_source_rows() {
   units_ = new QComboBox(rows);
   units_->addItem(tr("Centimetres (most programs)"), static_cast<int>(ExportUnit::kCentimetres));
   units_->addItem(tr("Metres (Blender's own)"), static_cast<int>(ExportUnit::kMetres));
+  ranges_ = new QComboBox(rows);
+  ranges_->addItem({});
+  ranges_->addItem({});
   file_ = new QLineEdit(rows);
   auto* choose = new QPushButton(tr("Choose…"), rows);
   connect(choose, &QPushButton::clicked, this, &ExportWorkspace::browse);
@@ -106,12 +117,14 @@ QWidget* ExportWorkspace::make_source_rows() {
   form->addRow(QString(), format_hint_);
   form->addRow(tr("Frame rate"), rate_row);
   form->addRow(tr("Unit of length"), units_);
+  form->addRow(tr("Range"), ranges_);
   form->addRow(tr("File"), file_row);
   // Names for screen readers, since a layout in a row has no buddy of its own.
   solves_->setAccessibleName(tr("Solve"));
   formats_->setAccessibleName(tr("Format"));
   rates_->setAccessibleName(tr("Frame rate"));
   units_->setAccessibleName(tr("Unit of length"));
+  ranges_->setAccessibleName(tr("Range"));
   file_->setAccessibleName(tr("File"));
   return rows;
 }
@@ -197,9 +210,13 @@ void ExportWorkspace::follow() {
     }
     show_take();
   });
-  for (QComboBox* box : {solves_, formats_, rates_, units_}) {
+  for (QComboBox* box : {solves_, formats_, rates_, units_, ranges_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &ExportWorkspace::show_plan);
   }
+  connect(&context_.time(), &TimeModel::visible_changed, this, [this] {
+    show_ranges();
+    show_plan();
+  });
   connect(custom_rate_, &QDoubleSpinBox::valueChanged, this, &ExportWorkspace::show_plan);
   connect(file_, &QLineEdit::textChanged, this, &ExportWorkspace::show_plan);
   connect(export_, &QPushButton::clicked, this, &ExportWorkspace::start);
@@ -218,6 +235,19 @@ void ExportWorkspace::follow() {
 
 void ExportWorkspace::activate() {
   show_take();
+  preview_->set_active(true);
+}
+
+void ExportWorkspace::deactivate() {
+  preview_->set_active(false);
+}
+
+void ExportWorkspace::show_ranges() {
+  const TimeModel& time = context_.time();
+  ranges_->setItemText(0, tr("Everything (%1)").arg(format_clock_tenths(time.duration_s())));
+  ranges_->setItemText(
+      1, tr("What the timeline shows (%1 to %2)")
+             .arg(format_clock_tenths(time.visible_begin_s()), format_clock_tenths(time.visible_end_s())));
 }
 
 void ExportWorkspace::show_take() {
@@ -234,6 +264,7 @@ void ExportWorkspace::show_take() {
     return;
   }
   show_solves();
+  show_ranges();
   show_plan();
 }
 
@@ -261,6 +292,10 @@ ExportPlan ExportWorkspace::plan() const {
   made.fps = rate > 0.0 ? rate : custom_rate_->value();
   made.unit = static_cast<ExportUnit>(units_->currentData().toInt());
   made.file = file_->text().trimmed().toStdString();
+  if (ranges_->currentIndex() == 1) {
+    made.begin_s = context_.time().visible_begin_s();
+    made.end_s = context_.time().visible_end_s();
+  }
   return made;
 }
 
@@ -287,9 +322,10 @@ void ExportWorkspace::show_plan() {
   const bool exists = problem.isEmpty() && std::filesystem::exists(wanted.file, ignored);
   const motion::Clip& clip = model_.solve()->clip;
   const bool open = solves_->currentIndex() == 0;
+  const double duration_s = range_of(wanted, clip.duration()).duration_s();
   QString facts = open ? tr("%1 frames, %2, %3 bones.")
-                             .arg(locale().toString(qulonglong(motion::frame_count(clip.duration(), wanted.fps))),
-                                  format_clock_tenths(clip.duration()))
+                             .arg(locale().toString(qulonglong(motion::frame_count(duration_s, wanted.fps))),
+                                  format_clock_tenths(duration_s))
                              .arg(clip.skeleton.segments.size())
                        : QString();
   if (exists) {
@@ -297,6 +333,7 @@ void ExportWorkspace::show_plan() {
   }
   facts_->setText(facts);
   export_->setEnabled(problem.isEmpty() && !job_);
+  preview_->set_plan(wanted, open);
 }
 
 void ExportWorkspace::browse() {
@@ -341,7 +378,8 @@ void ExportWorkspace::start() {
   connect(job_, &Job::changed, this, [this] {
     if (job_) {
       progress_->setValue(static_cast<int>(1000 * job_->fraction()));
-      step_->setText(job_->step());
+      const double left = job_->left_s();
+      step_->setText(left < 3.0 ? job_->step() : tr("%1, %2 left").arg(job_->step(), format_clock(left)));
     }
   });
   progress_->setValue(0);

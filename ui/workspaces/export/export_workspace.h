@@ -3,6 +3,7 @@
 
 #include "common/widgets.h"
 #include "workspaces/export/export_plan.h"
+#include "workspaces/export/export_preview.h"
 #include "workspaces/solve/solve_model.h"
 #include "workspaces/workspace.h"
 
@@ -19,6 +20,8 @@ class ExportWorkspace : public Workspace {
  public:
   explicit ExportWorkspace(StudioContext& context, QWidget* parent = nullptr);
   void activate() override;
+  void deactivate() override;
+  [[nodiscard]] ExportPreview& preview() { return *preview_; }
 
  private:
   QWidget* make_form();
@@ -28,6 +31,7 @@ class ExportWorkspace : public Workspace {
   void show_take();
   void show_solves();
   void show_plan();
+  void show_ranges();
   void browse();
   void start();
   void show_result(const Result<ExportResult>& result);
@@ -39,7 +43,8 @@ class ExportWorkspace : public Workspace {
   QStackedWidget* pages_ = nullptr;
   EmptyState* empty_ = nullptr;
   QPushButton* empty_button_ = nullptr;
-  QComboBox *solves_ = nullptr, *formats_ = nullptr, *rates_ = nullptr, *units_ = nullptr;
+  QComboBox *solves_ = nullptr, *formats_ = nullptr, *rates_ = nullptr, *units_ = nullptr, *ranges_ = nullptr;
+  ExportPreview* preview_ = nullptr;
   QDoubleSpinBox* custom_rate_ = nullptr;
   QLineEdit* file_ = nullptr;
   QLabel *facts_ = nullptr, *problem_ = nullptr, *format_hint_ = nullptr, *step_ = nullptr;

@@ -121,7 +121,8 @@ void CurvesPanel::draw(QPainter& painter) const {
   // The scale of trust, right beside its name.
   const QString trust = tr("Trust");
   const QRectF bar(width() - kValues - 96, kHeader / 2 - 3, 64, 6);
-  painter.drawText(QRectF(bar.left() - 60, 0, 40, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
+  const double named = painter.fontMetrics().horizontalAdvance(trust) + 4.0;
+  painter.drawText(QRectF(bar.left() - 20 - named, 0, named, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
   painter.drawText(QRectF(bar.left() - 16, 0, 12, kHeader), Qt::AlignVCenter | Qt::AlignRight, QStringLiteral("0"));
   painter.drawText(QRectF(bar.right() + 4, 0, 24, kHeader), Qt::AlignVCenter, QStringLiteral("1"));
   for (int x = 0; x < static_cast<int>(bar.width()); ++x) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/core_text.h"
+
 namespace limbwave::ui {
 
 namespace {
@@ -131,14 +133,14 @@ Verdict diagnostic_verdict(const Diagnostic& diagnostic) {
   const Tone tone = diagnostic.severity == Severity::kInfo      ? Tone::kUnknown
                     : diagnostic.severity == Severity::kWarning ? Tone::kWarning
                                                                 : Tone::kDanger;
-  QString text = QString::fromStdString(diagnostic.message);
+  QString text = core_text(diagnostic.message);
   if (!text.isEmpty()) {
     text[0] = text[0].toUpper();
   }
   if (diagnostic.time_s >= 0.0) {
     text = Quality::tr("At %1 s: %2").arg(number(diagnostic.time_s, 1), text);
   }
-  QString remedy = QString::fromStdString(diagnostic.remedy);
+  QString remedy = core_text(diagnostic.remedy);
   if (!remedy.isEmpty()) {
     remedy[0] = remedy[0].toUpper();
   }

@@ -35,7 +35,7 @@ WorkspaceEntry export_entry() {
           .title = SolveEntries::tr("Export"),
           .hint = SolveEntries::tr("Write the motion to a file for other programs"),
           .icon = QStringLiteral("export"),
-          .timeline = false,
+          .timeline = true,
           .shortcuts = {{SolveEntries::tr("Ctrl+E"), SolveEntries::tr("Export")}},
           .create = [](StudioContext& context, QWidget* parent) -> Workspace* {
             return new ExportWorkspace(context, parent);

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "common/core_text.h"
 #include "timeline/timeline_widget.h"
 #include "workspaces/solve/bone_card.h"
 #include "workspaces/solve/solve_model.h"
@@ -32,7 +33,9 @@ void show_take(StudioContext& context, SolveModel& model, TimelineCanvas& canvas
       const take::TakeEvent& event = take->events[i];
       const double time = rate.seconds(event.sample).value - start;
       if (time >= 0.0 && time <= duration) {
-        const QString text = QString::fromStdString(event.text.empty() ? event.kind : event.text);
+        const QString text = event.kind == "marker" && !event.text.empty()
+                                 ? QString::fromStdString(event.text)
+                                 : core_text(event.text.empty() ? event.kind : event.text);
         markers.push_back({time, kind_of(event.kind), text, static_cast<int>(i)});
       }
     }

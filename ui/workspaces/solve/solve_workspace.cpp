@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/core_text.h"
 #include "common/format.h"
 #include "common/icons.h"
+#include "common/latency_text.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 #include "workspaces/solve/bone_card.h"
@@ -26,7 +28,7 @@ namespace limbwave::ui {
 
 namespace {
 
-constexpr int kLiveIntervalMs = 16;
+constexpr int kLiveStatusMs = 500;
 
 std::vector<ViewerSensor> viewer_sensors(const body::Rig& rig, const body::Skeleton& skeleton) {
   std::vector<ViewerSensor> list;
@@ -49,9 +51,9 @@ SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
   pages_->addWidget(empty_);
   main_page_ = make_main_page();
   pages_->addWidget(main_page_);
-  live_timer_.setInterval(kLiveIntervalMs);
-  live_timer_.setTimerType(Qt::PreciseTimer);
+  live_timer_.setInterval(kLiveStatusMs);
   follow_context();
+  show_curves();
   show_figure();
   show_state();
   follow_live();
@@ -121,6 +123,7 @@ QWidget* SolveWorkspace::make_main_page() {
 void SolveWorkspace::follow_context() {
   connect(&model_, &SolveModel::state_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::solve_changed, this, [this] {
+    show_curves();
     show_figure();
     show_state();
   });
@@ -144,12 +147,9 @@ void SolveWorkspace::follow_context() {
   connect(curves_, &CurvesPanel::segment_clicked, this, choose);
   connect(&context_.live(), &LiveModel::state_changed, this, &SolveWorkspace::follow_live);
   connect(&context_.live(), &LiveModel::recording_changed, this, &SolveWorkspace::follow_live);
-  connect(&live_timer_, &QTimer::timeout, this, &SolveWorkspace::poll_live);
-  connect(viewer_, &ViewerWidget::frame_rendered, this, [this](double /*steady_time_s*/, double tag) {
-    if (live_ && tag > 0.0) {
-      context_.live().note_drawn(tag);
-    }
-  });
+  connect(&context_.live(), &LiveModel::figure_ready, this, &SolveWorkspace::show_live_figure);
+  connect(&live_timer_, &QTimer::timeout, this, &SolveWorkspace::show_live_status);
+  connect(viewer_, &ViewerWidget::frame_rendered, this, &SolveWorkspace::note_live_frame);
   connect(empty_button_, &QPushButton::clicked, this, [this] {
     if (model_.state() == SolveState::kFailed) {
       model_.start();
@@ -183,29 +183,53 @@ void SolveWorkspace::set_live(bool live) {
   live_button_->setChecked(live_);
   if (live_ && active_) {
     live_timer_.start();
+    show_live_status();
   } else {
     live_timer_.stop();
   }
   if (live_ != before) {
-    live_version_ = 0;
+    shown_figures_.clear();
     show_figure();
+    show_live_figure();
     show_state();
   }
 }
 
-void SolveWorkspace::poll_live() {
-  const auto snapshot = context_.live().newest();
-  if (!snapshot || snapshot->version == live_version_ || snapshot->pose.empty()) {
+void SolveWorkspace::show_live_figure() {
+  if (!live_ || !active_) {
     return;
   }
-  live_version_ = snapshot->version;
-  viewer_->set_pose(snapshot->pose, snapshot->pose_capture_time_s);
-  const double mean = context_.live().latency_mean_s();
-  status_->set_text(mean < 0.0 ? tr("Live from %1").arg(context_.live().device_title())
-                               : tr("Live from %1, capture to screen %2 ms mean, %3 ms at most")
-                                     .arg(context_.live().device_title())
-                                     .arg(std::lround(1000.0 * mean))
-                                     .arg(std::lround(1000.0 * context_.live().latency_max_s())));
+  const auto figure = context_.live().figure();
+  if (!figure || (!shown_figures_.empty() && shown_figures_.back().number >= figure->number)) {
+    return;
+  }
+  solve::PoseTimes times = figure->times;
+  times.taken = steady_now_s();
+  if (shown_figures_.size() == kFiguresUnderWay) {
+    shown_figures_.erase(shown_figures_.begin());
+  }
+  shown_figures_.push_back({figure->number, times});
+  viewer_->set_pose(figure->pose, static_cast<double>(figure->number));
+}
+
+void SolveWorkspace::note_live_frame(double steady_time_s, double tag) {
+  const auto shown = std::find_if(shown_figures_.begin(), shown_figures_.end(),
+                                  [tag](const ShownFigure& one) { return static_cast<double>(one.number) == tag; });
+  if (live_ && shown != shown_figures_.end() && shown->times.solved > 0.0) {
+    solve::PoseTimes times = shown->times;
+    times.drawn = steady_time_s;
+    context_.live().note_drawn(times);
+  }
+}
+
+void SolveWorkspace::show_live_status() {
+  const solve::LatencyReport report = context_.live().latency();
+  const auto& snapshot = context_.live().snapshot();
+  const QString& device = context_.live().device_title();
+  status_->set_text(report.poses == 0 ? tr("Live from %1").arg(device)
+                                      : tr("Live from %1: %2").arg(device, latency_line(report)));
+  status_->setToolTip(report.poses == 0 ? QString()
+                                        : latency_sentences(report, snapshot ? snapshot->device_latency_s : 0.0));
 }
 
 void SolveWorkspace::show_state() {
@@ -221,11 +245,11 @@ void SolveWorkspace::show_state() {
     empty_button_->setVisible(true);
   } else if (state == SolveState::kFailed) {
     const Error& error = model_.error();
-    QString what = QString::fromStdString(error.message);
+    QString what = core_text(error.message);
     if (!what.isEmpty()) {
       what[0] = what[0].toUpper();
     }
-    QString remedy = QString::fromStdString(error.remedy);
+    QString remedy = core_text(error.remedy);
     if (!remedy.isEmpty()) {
       remedy[0] = remedy[0].toUpper();
     }
@@ -263,13 +287,19 @@ void SolveWorkspace::show_figure() {
   if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
     viewer_->set_extent(motion_extent(clip, 60));
+  }
+  show_selection();
+  show_pose();
+}
+
+void SolveWorkspace::show_curves() {
+  if (model_.solve()) {
+    const motion::Clip& clip = model_.solve()->clip;
     curves_->set_curves(model_.curves(),
                         clip.joints.empty() ? std::vector<double>() : clip.joints.front().rotation.times);
   } else {
     curves_->set_curves({}, {});
   }
-  show_selection();
-  show_pose();
 }
 
 void SolveWorkspace::show_pose() {

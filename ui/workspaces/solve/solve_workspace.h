@@ -43,8 +43,11 @@ class SolveWorkspace : public Workspace {
   void set_live(bool live);
   void show_state();
   void show_figure();
+  void show_curves();
   void show_pose();
-  void poll_live();
+  void show_live_figure();
+  void note_live_frame(double steady_time_s, double tag);
+  void show_live_status();
   void show_selection();
 
   StudioContext& context_;
@@ -59,7 +62,12 @@ class SolveWorkspace : public Workspace {
   QPushButton* live_button_ = nullptr;
   QToolButton* ghost_ = nullptr;
   QTimer live_timer_;
-  std::uint64_t live_version_ = 0;
+  struct ShownFigure {
+    std::uint64_t number = 0;
+    solve::PoseTimes times;
+  };
+  static constexpr std::size_t kFiguresUnderWay = 8;  // more are never on their way to the screen
+  std::vector<ShownFigure> shown_figures_;            // newest last
   bool live_ = false, active_ = false;
   std::vector<body::SegmentPose> poses_;
 };

@@ -1,0 +1,38 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>limbwave::ui::KeyEditor</name>
+    <message numerus="yes">
+        <source>move %n key(s)</source>
+        <translation>
+            <numerusform>move %n key</numerusform>
+            <numerusform>move %n keys</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>turn %n key(s)</source>
+        <translation>
+            <numerusform>turn %n key</numerusform>
+            <numerusform>turn %n keys</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n key(s)</source>
+        <translation>
+            <numerusform>delete %n key</numerusform>
+            <numerusform>delete %n keys</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::QualityCard</name>
+    <message numerus="yes">
+        <source>and %n more finding(s)</source>
+        <translation>
+            <numerusform>and %n more finding</numerusform>
+            <numerusform>and %n more findings</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
