@@ -28,7 +28,7 @@ FbxArray pack(char type, std::span<const T> values, int level) {
   FbxArray array(1, type);
   put(array, static_cast<std::uint32_t>(values.size()));
   constexpr std::size_t kHeader = 13;  // type, count, encoding, bytes
-  if (plain >= kCompressFrom) {
+  if (plain >= kCompressFrom && level > 0) {
     uLongf size = compressBound(plain);
     array.resize(kHeader + size);
     const int result = compress2(reinterpret_cast<Bytef*>(array.data() + kHeader), &size,
@@ -62,7 +62,7 @@ FbxArray fbx_array(std::span<const double> values, int level) {
   return pack('d', values, level);
 }
 
-FbxRecordWriter::FbxRecordWriter(AtomicFile& file) : file_(file) {
+FbxRecordWriter::FbxRecordWriter(ByteSink& file) : file_(file) {
   file_.append(kFbxMagic);
   const std::uint32_t version = kFbxVersion;
   file_.append({reinterpret_cast<const char*>(&version), sizeof version});
