@@ -16,6 +16,7 @@ constexpr double kPhaseMemory = 15.0;     // cycles
 constexpr double kTuning = 1.0 / 90.0;    // of what the phase drifts by, per cycle: settles in three seconds
 constexpr double kLargestRate = 0.02;     // radians per cycle: 0.2 Hz
 constexpr double kLargestDetuning = 0.2;  // Hz
+constexpr int kFitEvery = 6;              // cycles
 constexpr double kEnough = 24.0;          // steps, before anything is told
 constexpr double kStandsOut = 5.0;        // standard deviations of an amplitude
 constexpr double kLeast = 2e-5;           // of full scale: less does no harm
@@ -26,9 +27,13 @@ constexpr double kBetter = 1.2;           // by which the other mains must expla
 HumTracker::Vector HumTracker::waves(const Mains& mains, double samples) const {
   Vector waves = Vector::Zero();
   const double turns = mains.turns + mains.hz * samples / rate_.hz;
-  for (int k = 1; k <= kHarmonics; ++k) {
-    waves[2 * k - 1] = std::cos(2.0 * kPi * k * turns);
-    waves[2 * k] = std::sin(2.0 * kPi * k * turns);
+  const double c = std::cos(2.0 * kPi * turns);
+  const double d = std::sin(2.0 * kPi * turns);
+  waves[1] = c;
+  waves[2] = d;
+  for (int k = 2; k <= kHarmonics; ++k) {
+    waves[2 * k - 1] = waves[2 * k - 3] * c - waves[2 * k - 2] * d;
+    waves[2 * k] = waves[2 * k - 3] * d + waves[2 * k - 2] * c;
   }
   return waves;
 }
@@ -57,7 +62,7 @@ void HumTracker::fit(Mains& mains) const {
 }
 
 // What was fitted is the hum of a memory's length ago.
-void HumTracker::follow_phase(Mains& mains, double cycle_hz) {
+void HumTracker::follow_phase(Mains& mains, double cycles, double cycle_hz) {
   int strongest = 0;
   double largest = 0.0;
   for (int k = 1; k <= kHarmonics; ++k) {
@@ -74,10 +79,11 @@ void HumTracker::follow_phase(Mains& mains, double cycle_hz) {
   }
   const double phase = std::atan2(mains.found[2 * strongest], mains.found[2 * strongest - 1]);
   if (strongest == mains.strongest) {
-    const double change = std::remainder(phase - mains.phase, 2.0 * kPi) / strongest;
-    mains.phase_rate += (std::clamp(change, -kLargestRate, kLargestRate) - mains.phase_rate) / kPhaseMemory;
+    const double change = std::remainder(phase - mains.phase, 2.0 * kPi) / (strongest * cycles);
+    mains.phase_rate +=
+        (std::clamp(change, -kLargestRate, kLargestRate) - mains.phase_rate) * std::min(1.0, cycles / kPhaseMemory);
     // A phase that falls behind: the hum is faster.
-    mains.hz = std::clamp(mains.hz - kTuning * mains.phase_rate * cycle_hz / (2.0 * kPi),
+    mains.hz = std::clamp(mains.hz - kTuning * cycles * mains.phase_rate * cycle_hz / (2.0 * kPi),
                           mains.nominal_hz - kLargestDetuning, mains.nominal_hz + kLargestDetuning);
   }
   mains.strongest = strongest;
@@ -92,23 +98,31 @@ void HumTracker::step(CycleMeasurement& cycle, int slots, double kappa, bool usa
   const auto last = static_cast<std::size_t>(slots - 1);
   const LevelReading reference = cycle.slots[last];
   const bool whole = usable && cycle.broken == 0;
-  for (Mains& mains : mains_) {
+  std::array<Vector, 2> before;
+  for (std::size_t i = 0; i < mains_.size(); ++i) {
+    Mains& mains = mains_[i];
+    before[i] = mains.at_reference;
     mains.turns = std::fmod(mains.turns + mains.hz * (reference.centre - instant_) / rate_.hz, 1.0);
+    mains.at_reference = waves(mains, 0.0);
   }
   if (whole && linked_ && cycle.linked) {
     const double step = reference.mean - level_ + kappa * reference.integral;
     weight_ = kKept * weight_ + 1.0;
     square_ = kKept * square_ + step * step;
-    for (Mains& mains : mains_) {
-      Vector change = waves(mains, 0.0) - waves(mains, instant_ - reference.centre);
+    for (std::size_t i = 0; i < mains_.size(); ++i) {
+      Mains& mains = mains_[i];
+      Vector change = mains.at_reference - before[i];
       change[0] = 1.0;
       mains.normal = kKept * mains.normal + change * change.transpose();
       mains.right = kKept * mains.right + step * change;
-      if (weight_ > kEnough) {
-        fit(mains);
-        follow_phase(mains, rate_.hz / cycle.period());
-      }
     }
+  }
+  if (++since_fit_ >= kFitEvery && weight_ > kEnough && whole) {
+    for (Mains& mains : mains_) {
+      fit(mains);
+      follow_phase(mains, since_fit_, rate_.hz / cycle.period());
+    }
+    since_fit_ = 0;
     const int better = mains_[1].explained > mains_[0].explained ? 1 : 0;
     if (mains_[static_cast<std::size_t>(better)].explained <= 0.0) {
       believed_ = -1;

@@ -36,8 +36,9 @@ class HumTracker {
   using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
   struct Mains {
     double nominal_hz = 50.0;
-    double hz = nominal_hz;  // tuned
-    double turns = 0.0;      // phase of the first harmonic at the newest reference, less whole turns
+    double hz = nominal_hz;                // tuned
+    double turns = 0.0;                    // phase of the first harmonic at the newest reference, less whole turns
+    Vector at_reference = Vector::Zero();  // the waves there
     Matrix normal = Matrix::Zero();
     Vector right = Vector::Zero();
     Vector found = Vector::Zero();  // cosines and sines that stand out; the others are 0
@@ -49,12 +50,13 @@ class HumTracker {
   // At some samples from the newest reference.
   [[nodiscard]] Vector waves(const Mains& mains, double samples) const;
   void fit(Mains& mains) const;
-  static void follow_phase(Mains& mains, double cycle_hz);
+  static void follow_phase(Mains& mains, double cycles, double cycle_hz);
 
   SampleRate rate_;
   std::array<Mains, 2> mains_{Mains{50.0, 50.0}, Mains{60.0, 60.0}};
   int believed_ = -1;
   double weight_ = 0.0, square_ = 0.0;  // fading count and sum of squares of steps
+  int since_fit_ = 0;                   // cycles
   bool linked_ = false;
   double level_ = 0.0, instant_ = 0.0;  // of the last reference, as measured
 };
