@@ -278,8 +278,8 @@
             <translation>%1: die Schwerkraft allein erklärt nur %2 der Messwerte.</translation>
         </message>
         <message>
-            <source>The limb moved fast. Bridging or stronger smoothing helps.</source>
-            <translation>Das Glied bewegte sich schnell. Überbrücken oder stärkeres Glätten hilft.</translation>
+            <source>The limb moved fast. Smoothing the whole chain helps.</source>
+            <translation>Das Glied bewegte sich schnell. Die ganze Kette zu glätten hilft.</translation>
         </message>
         <message>
             <source>%1: good.</source>
@@ -376,6 +376,14 @@
         <message>
             <source>As adaptive, and carries the limb on through bursts of acceleration.</source>
             <translation>Wie anpassend, und führt das Glied durch Beschleunigungsstöße weiter.</translation>
+        </message>
+        <message>
+            <source>Whole chain</source>
+            <translation>Ganze Kette</translation>
+        </message>
+        <message>
+            <source>All limbs together: what their own swinging makes the sensors feel is taken into account. Check the bone lengths.</source>
+            <translation>Alle Glieder zusammen: Was ihr eigenes Schwingen die Sensoren fühlen lässt, wird berücksichtigt. Prüfen Sie die Knochenlängen.</translation>
         </message>
     </context>
     <context>

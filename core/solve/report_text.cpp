@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
@@ -48,8 +49,16 @@ std::string_view name(Smoothing smoothing) {
       return "adaptive";
     case Smoothing::kBridging:
       return "bridging";
+    case Smoothing::kChain:
+      return "chain";
   }
   return "unknown";
+}
+
+std::optional<Smoothing> smoothing_named(std::string_view wanted) {
+  const auto found = std::find_if(kSmoothings.begin(), kSmoothings.end(),
+                                  [&](Smoothing smoothing) { return name(smoothing) == wanted; });
+  return found == kSmoothings.end() ? std::nullopt : std::optional<Smoothing>(*found);
 }
 
 std::vector<std::string> report_lines(const Solve& solve) {
@@ -183,9 +192,11 @@ Result<SolveSettings> settings_from_json(const nlohmann::json& json, const std::
   reader.at("schema").integer(1, 1);
   SolveSettings settings;
   const std::string smoothing = reader.string_or("smoothing", "bridging");
-  settings.smoothing = smoothing == "none"       ? Smoothing::kNone
-                       : smoothing == "adaptive" ? Smoothing::kAdaptive
-                                                 : Smoothing::kBridging;
+  if (const std::optional<Smoothing> known = smoothing_named(smoothing)) {
+    settings.smoothing = *known;
+  } else {
+    reader.at("smoothing").fail("is \"" + smoothing + "\"", "it is chain, adaptive, bridging or none");
+  }
   settings.smoothing_s = reader.number_or("smoothing_s", settings.smoothing_s, 0.0, 10.0);
   settings.calibration = reader.string_or("calibration", "auto");
   if (reader.has("line_in")) {

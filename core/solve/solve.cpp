@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "calibrate/gain_check.h"
+#include "estimate/chain_smoother.h"
 #include "solve/compose.h"
 #include "solve/decoded_take.h"
 #include "solve/limb_forces.h"
@@ -104,23 +105,33 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
   std::vector<std::vector<Eigen::Quaterniond>> inclined(skeleton.segments.size());
   estimate::InclinationParameters parameters;
   parameters.smoothing_s = settings.smoothing_s;
+  std::vector<std::vector<estimate::ForceSample>> samples;
+  std::vector<std::vector<estimate::Inclination>> inclinations;
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    if (!progress.report(0.65 + 0.3 * static_cast<double>(s) / static_cast<double>(segments.size()), "estimating")) {
+    if (!progress.report(0.65 + 0.05 * static_cast<double>(s) / static_cast<double>(segments.size()), "estimating")) {
       return cancelled();
     }
+    samples.push_back(limb_forces(frames, s, take.info.rig.line_in, chosen->calibration));
+    inclinations.push_back(estimate::estimate_inclinations(samples.back(), settings.smoothing, parameters));
+  }
+  if (settings.smoothing == Smoothing::kChain) {
+    auto together = estimate::smooth_chain(estimate::limb_chain(take.info.rig, skeleton), samples, inclinations, {},
+                                           progress.part(0.7, 0.97));
+    if (!together) {
+      return together.error();
+    }
+    inclinations = *std::move(together);
+  }
+  for (std::size_t s = 0; s < segments.size(); ++s) {
     if (segments[s] < 0) {
       continue;
     }
-    const std::vector<estimate::ForceSample> samples =
-        limb_forces(frames, s, take.info.rig.line_in, chosen->calibration);
-    const std::vector<estimate::Inclination> inclinations =
-        estimate::estimate_inclinations(samples, settings.smoothing, parameters);
-    inclined[static_cast<std::size_t>(segments[s])] = estimate::orientations(inclinations);
+    inclined[static_cast<std::size_t>(segments[s])] = estimate::orientations(inclinations[s]);
     std::vector<float>& trust = solve.trust.emplace_back();
-    for (const estimate::Inclination& inclination : inclinations) {
+    for (const estimate::Inclination& inclination : inclinations[s]) {
       trust.push_back(static_cast<float>(inclination.trust));
     }
-    solve.report.sensors.push_back(quality(take.info.rig.accelerometers[s].name, samples, inclinations));
+    solve.report.sensors.push_back(quality(take.info.rig.accelerometers[s].name, samples[s], inclinations[s]));
   }
   solve.clip =
       compose_clip(skeleton, times, inclined, settings.headings, std::round(decoded->line.cycle_rate_hz * 1e3) / 1e3);

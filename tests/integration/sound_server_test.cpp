@@ -127,7 +127,8 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
   const evaluate::Truth truth = require(evaluate::load_truth(played.folder / "truth.json"));
   const SensorTruth felt(played.folder);
   const double shift = static_cast<double>(offset) / 48000.0;
-  for (const auto smoothing : {solve::Smoothing::kNone, solve::Smoothing::kAdaptive, solve::Smoothing::kBridging}) {
+  for (const auto smoothing :
+       {solve::Smoothing::kNone, solve::Smoothing::kAdaptive, solve::Smoothing::kBridging, solve::Smoothing::kChain}) {
     solve::SolveSettings wanted;
     wanted.smoothing = smoothing;
     wanted.calibration = "nominal";
@@ -155,7 +156,7 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
         EXPECT_LE(statistics.inclination_mean_deg, bare.inclination_mean_deg + 0.2) << name;
       }
     }
-    if (smoothing == solve::Smoothing::kBridging) {
+    if (smoothing == solve::Smoothing::kChain) {
       require(interchange::write_bvh(wired.clip, folder / "captured.bvh", {}));
       const motion::Clip read = require(interchange::load_bvh(folder / "captured.bvh"));
       EXPECT_EQ(read.joints.size(), wired.clip.joints.size());
