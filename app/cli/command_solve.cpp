@@ -12,7 +12,7 @@ namespace limbwave::cli {
 
 void add_solve(CLI::App& app, Console& console) {
   struct Options {
-    std::string take, sensors = "A", method = "inclination", root = "fixed", smoothing = "adaptive";
+    std::string take, sensors = "A", method = "inclination", root = "fixed", smoothing = "chain";
     solve::SolveSettings settings;
     std::string left = "auto", right = "auto";
     double coupling = -1.0;
@@ -31,9 +31,11 @@ void add_solve(CLI::App& app, Console& console) {
       ->check(CLI::IsMember({"fixed"}))
       ->capture_default_str();
   command
-      ->add_option("--smoothing", options->smoothing,
-                   "none; adaptive: weighted by trust, without lag; bridging: also carries over short bursts")
-      ->check(CLI::IsMember({"none", "adaptive", "bridging"}))
+      ->add_option(
+          "--smoothing", options->smoothing,
+          "chain: all limbs together, by what their own movement makes the sensors feel; adaptive: every sensor "
+          "by itself, weighted by trust, without lag; bridging: also carries over short bursts; none")
+      ->check(CLI::IsMember({"chain", "adaptive", "bridging", "none"}))
       ->capture_default_str();
   command->add_option("--smoothing-time", options->settings.smoothing_s, "Time scale of smoothing, seconds")
       ->check(CLI::Range(estimate::kLeastSmoothing_s, 2.0))
@@ -60,9 +62,7 @@ void add_solve(CLI::App& app, Console& console) {
   command->footer("Example: limbwave solve reach.take --smoothing adaptive --name final");
   command->callback([options, command, &console] {
     solve::SolveSettings settings = options->settings;
-    settings.smoothing = options->smoothing == "none"       ? solve::Smoothing::kNone
-                         : options->smoothing == "adaptive" ? solve::Smoothing::kAdaptive
-                                                            : solve::Smoothing::kBridging;
+    settings.smoothing = solve::smoothing_named(options->smoothing).value_or(settings.smoothing);
     const auto polarity = [](const std::string& text) {
       return text == "normal"     ? decode::Polarity::kNormal
              : text == "inverted" ? decode::Polarity::kInverted

@@ -18,8 +18,10 @@ using Eigen::Vector3d;
 /// How inclinations are smoothed.
 enum class Smoothing {
   kNone,      ///< Every reading by itself (the paper's equation 2).
-  kAdaptive,  ///< Low pass that is the slower the less a reading is to be trusted; without lag offline. Default.
+  kAdaptive,  ///< Low pass that is the slower the less a reading is to be trusted; without lag offline.
   kBridging,  ///< Also bridges bursts of limb acceleration, by a model of turning and of acceleration.
+  kChain,     ///< All limbs together, by what their own movement makes their sensors feel (chain_smoother.h), offline.
+              ///< Default. Of a single sensor, and live, it is kAdaptive, which it begins with.
 };
 
 /// One calibrated reading: f_L = R_LS · SensorCalibration::apply(volts).

@@ -189,6 +189,7 @@ std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samp
       break;
     }
     case Smoothing::kAdaptive:
+    case Smoothing::kChain:
       result = adaptive(ordered, parameters);
       break;
     case Smoothing::kBridging:

@@ -64,7 +64,8 @@ Inclination InclinationTracker::push(const ForceSample& given) {
     case Smoothing::kNone:
       my.last = raw_inclination(sample, my.last, deviation, noise, my.parameters);
       break;
-    case Smoothing::kAdaptive: {
+    case Smoothing::kAdaptive:
+    case Smoothing::kChain: {
       const AdaptiveFilter::Sum& sum = my.adaptive_filter.step(sample, dt, acceleration, noise);
       my.last.time_s = sample.time_s;
       my.last.trust = usable_trust(sample, my.parameters);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
@@ -24,13 +25,11 @@ decode::Polarity polarity_from(const JsonReader& reader) {
 
 Smoothing smoothing_from(const JsonReader& reader) {
   const std::string text = reader.string();
-  for (const Smoothing smoothing : {Smoothing::kNone, Smoothing::kAdaptive, Smoothing::kBridging}) {
-    if (text == name(smoothing)) {
-      return smoothing;
-    }
+  const std::optional<Smoothing> known = smoothing_named(text);
+  if (!known) {
+    reader.fail("is \"" + text + "\"", "use chain, adaptive, bridging or none");
   }
-  reader.fail("is \"" + text + "\"", "use none, adaptive or bridging");
-  return Smoothing::kAdaptive;
+  return known.value_or(Smoothing::kAdaptive);
 }
 
 std::vector<std::vector<HeadingKey>> headings_from(const JsonReader& reader) {
@@ -59,8 +58,16 @@ std::string_view name(Smoothing smoothing) {
       return "adaptive";
     case Smoothing::kBridging:
       return "bridging";
+    case Smoothing::kChain:
+      return "chain";
   }
   return "unknown";
+}
+
+std::optional<Smoothing> smoothing_named(std::string_view wanted) {
+  const auto found = std::find_if(kSmoothings.begin(), kSmoothings.end(),
+                                  [&](Smoothing smoothing) { return name(smoothing) == wanted; });
+  return found == kSmoothings.end() ? std::nullopt : std::optional<Smoothing>(*found);
 }
 
 std::vector<std::string> report_lines(const Solve& solve) {

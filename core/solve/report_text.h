@@ -1,8 +1,11 @@
 /// A solve's quality in words and as JSON.
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solve/solve.h"
@@ -18,6 +21,11 @@ QualityReport report_from_json(const nlohmann::json& json);
 nlohmann::json settings_to_json(const SolveSettings& settings);
 Result<SolveSettings> settings_from_json(const nlohmann::json& json, const std::string& place);
 
-std::string_view name(Smoothing smoothing);  ///< "none", "adaptive", "bridging"
+/// All smoothings, the default first.
+inline constexpr std::array kSmoothings{Smoothing::kChain, Smoothing::kAdaptive, Smoothing::kBridging,
+                                        Smoothing::kNone};
+std::string_view name(Smoothing smoothing);  ///< "none", "adaptive", "bridging", "chain"
+/// The other way round; empty for anything else.
+std::optional<Smoothing> smoothing_named(std::string_view name);
 
 }  // namespace limbwave::solve

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "calibrate/gain_check.h"
+#include "estimate/chain_smoother.h"
 #include "solve/compose.h"
 #include "solve/decoded_take.h"
 #include "solve/limb_forces.h"
@@ -101,7 +102,26 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
   std::vector<std::vector<Eigen::Quaterniond>> inclined(skeleton.segments.size());
   estimate::InclinationParameters parameters;
   parameters.smoothing_s = settings.smoothing_s;
-  const double share = 0.3 / static_cast<double>(segments.size());
+  std::vector<std::vector<estimate::ForceSample>> samples;
+  std::vector<std::vector<estimate::Inclination>> inclinations;
+  const double share = 0.2 / static_cast<double>(segments.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    samples.push_back(limb_forces(frames, s, take.info.rig.line_in, chosen->calibration));
+    inclinations.push_back(estimate::estimate_inclinations(
+        samples.back(), settings.smoothing, parameters,
+        progress.part(0.65 + share * static_cast<double>(s), 0.65 + share * static_cast<double>(s + 1))));
+    if (inclinations.back().size() != samples.back().size()) {
+      return cancelled();
+    }
+  }
+  if (settings.smoothing == Smoothing::kChain) {
+    auto together = estimate::smooth_chain(estimate::limb_chain(take.info.rig, skeleton), samples, inclinations, {},
+                                           progress.part(0.85, 0.97));
+    if (!together) {
+      return together.error();
+    }
+    inclinations = *std::move(together);
+  }
   for (std::size_t s = 0; s < segments.size(); ++s) {
     std::vector<float>& trust = solve.trust.emplace_back();
     const body::Accelerometer& accelerometer = take.info.rig.accelerometers[s];
@@ -112,25 +132,15 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
            "correct the rig in take.json", accelerometer.name, -1.0});
       continue;
     }
-    const std::vector<estimate::ForceSample> samples =
-        limb_forces(frames, s, take.info.rig.line_in, chosen->calibration);
-    const std::vector<estimate::Inclination> inclinations =
-        estimate::estimate_inclinations(samples, settings.smoothing, parameters,
-                                        progress.part(0.65 + share * static_cast<double>(s),
-                                                      0.65 + share * static_cast<double>(s + 1)));
-    if (inclinations.size() != samples.size()) {
-      return cancelled();
-    }
-    Result<std::vector<Eigen::Quaterniond>> orientations =
-        limb_orientations(inclinations, accelerometer.name);
+    Result<std::vector<Eigen::Quaterniond>> orientations = limb_orientations(inclinations[s], accelerometer.name);
     if (!orientations) {
       return orientations.error();
     }
     inclined[static_cast<std::size_t>(segments[s])] = *std::move(orientations);
-    for (const estimate::Inclination& inclination : inclinations) {
+    for (const estimate::Inclination& inclination : inclinations[s]) {
       trust.push_back(static_cast<float>(inclination.trust));
     }
-    solve.report.sensors.push_back(quality(accelerometer.name, samples, inclinations));
+    solve.report.sensors.push_back(quality(accelerometer.name, samples[s], inclinations[s]));
   }
   solve.clip =
       compose_clip(skeleton, times, inclined, settings.headings, std::round(decoded->line.cycle_rate_hz * 1e3) / 1e3);

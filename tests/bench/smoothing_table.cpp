@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "estimate/chain_smoother.h"
 #include "estimate/inclination_tracker.h"
 #include "integration/limb_readings.h"
 
@@ -45,12 +46,18 @@ Estimates live(const LimbReadings& readings, estimate::Smoothing smoothing) {
   return estimates;
 }
 
+Estimates chain(const LimbReadings& readings) {
+  return require(estimate::smooth_chain(estimate::limb_chain(readings.rig, readings.skeleton), readings.samples,
+                                        offline(readings, estimate::Smoothing::kAdaptive), {}, {}));
+}
+
 const std::vector<Method>& methods() {
   using enum estimate::Smoothing;
   static const std::vector<Method> kMethods{
       {"none", [](const LimbReadings& r) { return offline(r, kNone); }},
       {"adaptive", [](const LimbReadings& r) { return offline(r, kAdaptive); }},
       {"bridging", [](const LimbReadings& r) { return offline(r, kBridging); }},
+      {"chain", chain},
       {"adaptive, live", [](const LimbReadings& r) { return live(r, kAdaptive); }},
       {"bridging, live", [](const LimbReadings& r) { return live(r, kBridging); }},
   };

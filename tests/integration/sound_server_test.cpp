@@ -129,7 +129,8 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
   const double shift = static_cast<double>(offset) / 48000.0;
   constexpr double kBar = 0.2;  // degrees
   int compared = 0;
-  for (const auto smoothing : {solve::Smoothing::kNone, solve::Smoothing::kAdaptive, solve::Smoothing::kBridging}) {
+  for (const auto smoothing :
+       {solve::Smoothing::kNone, solve::Smoothing::kAdaptive, solve::Smoothing::kBridging, solve::Smoothing::kChain}) {
     solve::SolveSettings wanted;
     const bool is_default = smoothing == wanted.smoothing;
     wanted.smoothing = smoothing;
@@ -172,7 +173,7 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
       EXPECT_LE(statistics.inclination_rms_deg, rms + kBar) << name;
       EXPECT_LE(statistics.inclination_mean_deg, mean + kBar) << name;
     }
-    if (smoothing == solve::Smoothing::kBridging) {
+    if (smoothing == solve::Smoothing::kChain) {
       require(interchange::write_bvh(wired.clip, folder / "captured.bvh", {}));
       const motion::Clip read = require(interchange::load_bvh(folder / "captured.bvh"));
       EXPECT_EQ(read.joints.size(), wired.clip.joints.size());

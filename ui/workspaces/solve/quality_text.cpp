@@ -76,7 +76,7 @@ Verdict sensor_verdict(const solve::SensorQuality& sensor) {
   if (sensor.trusted < kTrustedGood) {
     return {Tone::kWarning,
             Quality::tr("%1: gravity alone explains only %2 of the readings.").arg(name, percent(sensor.trusted)),
-            Quality::tr("The limb moved fast. Bridging or stronger smoothing helps.")};
+            Quality::tr("The limb moved fast. Smoothing the whole chain helps.")};
   }
   return {Tone::kGood, Quality::tr("%1: good.").arg(name), {}};
 }
@@ -177,9 +177,11 @@ QString smoothing_name(solve::Smoothing smoothing) {
     case solve::Smoothing::kAdaptive:
       return Quality::tr("Adaptive");
     case solve::Smoothing::kBridging:
+      return Quality::tr("Bridging");
+    case solve::Smoothing::kChain:
       break;
   }
-  return Quality::tr("Bridging");
+  return Quality::tr("Whole chain");
 }
 
 QString smoothing_hint(solve::Smoothing smoothing) {
@@ -189,9 +191,13 @@ QString smoothing_hint(solve::Smoothing smoothing) {
     case solve::Smoothing::kAdaptive:
       return Quality::tr("Follows trusted readings closely and smooths the others. No lag.");
     case solve::Smoothing::kBridging:
+      return Quality::tr("As adaptive, and carries the limb on through bursts of acceleration.");
+    case solve::Smoothing::kChain:
       break;
   }
-  return Quality::tr("As adaptive, and carries the limb on through bursts of acceleration.");
+  return Quality::tr(
+      "All limbs together: what their own swinging makes the sensors feel is taken into account. Check the bone "
+      "lengths.");
 }
 
 }  // namespace limbwave::ui
