@@ -6,6 +6,10 @@
 
 #include "commands.h"
 
+void limbwave::cli::add_json_option(CLI::App& command, std::string& file, const std::string& what) {
+  command.add_option("--json", file, what + " to this file; -: standard output")->expected(0, 1)->default_str("-");
+}
+
 namespace {
 
 int run(int argc, char** argv) {

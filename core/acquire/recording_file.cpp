@@ -166,7 +166,7 @@ std::optional<Error> RecordingFile::Impl::check_layout(const ContainerLayout& la
     const std::string message = fmt::format("the recording is cut off: its header promises {}, but {} are there",
                                             seconds_text(*layout.data_bytes, layout), seconds_text(there, layout));
     if (!accept_truncated) {
-      return error_at(path, message, "copy it again from the recorder");
+      return error_at(path, message, kBreaksOffRemedy);
     }
     note(Severity::kWarning, "recording.truncated", message, "copy it again from the recorder if that has more");
   }
@@ -332,7 +332,7 @@ Result<std::size_t> RecordingFile::read(std::span<std::byte> out) {
       return error_at(self.path,
                       fmt::format("the recording breaks off or is damaged after {:.1f} s",
                                   static_cast<double>(self.done) / self.format.rate.hz),
-                      "copy it again from the recorder");
+                      kBreaksOffRemedy);
     }
     if (is_short) {
       self.note(

@@ -42,6 +42,9 @@ struct TakeInfo {
   acquire::StreamFormat format;
   bool complete = false;    ///< False while recording and after a crash.
   std::int64_t frames = 0;  ///< Frames per channel; what the file holds counts if it is not complete.
+  /// CRC-32 (as in zlib and PNG) of the raw samples, without the header; empty until the recording is closed, and in
+  /// takes that did not have one.
+  std::optional<std::uint32_t> samples_crc32;
   body::Rig rig;
   body::Skeleton skeleton;
   std::optional<calibrate::RigCalibration> calibration;

@@ -12,6 +12,7 @@
 #include "acquire/wav_writer.h"
 #include "base/files.h"
 #include "base/json_reader.h"
+#include "take/sample_checksum.h"
 #include "take/signal_file.h"
 #include "take/take.h"
 #include "take/take_reader.h"
@@ -19,6 +20,8 @@
 namespace limbwave::take {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::size_t kBlockFrames = 65536;
 
 void add(Diagnostics& list, Severity severity, const char* code, std::string message, const fs::path& place,
          std::string remedy = {}) {
@@ -91,10 +94,13 @@ void check_samples(const Take& take, Diagnostics& findings) {
         reader.error().remedy);
     return;
   }
-  std::vector<float> block(std::size_t{65536} * static_cast<std::size_t>(take.info.format.channels));
+  const acquire::StreamFormat& format = take.info.format;
+  std::vector<std::byte> block(kBlockFrames * format.bytes_per_frame());
+  std::vector<float> samples(kBlockFrames * static_cast<std::size_t>(format.channels));
+  SampleChecksum checksum;
   std::int64_t not_numbers = 0;
-  for (;;) {
-    const Result<std::size_t> got = reader->next(block);
+  for (std::int64_t frame = 0;;) {
+    const Result<std::size_t> got = reader->read_raw(SampleIndex{frame}, block);
     if (!got) {
       add(findings, Severity::kError, "verify.samples", got.error().message, got.error().place, got.error().remedy);
       return;
@@ -102,13 +108,45 @@ void check_samples(const Take& take, Diagnostics& findings) {
     if (*got == 0) {
       break;
     }
-    const auto end = block.begin() + static_cast<std::ptrdiff_t>(*got) * take.info.format.channels;
-    not_numbers += std::count_if(block.begin(), end, [](float sample) { return !std::isfinite(sample); });
+    const std::span<const std::byte> bytes = std::span(block).first(*got * format.bytes_per_frame());
+    checksum.add(bytes);
+    acquire::to_float(format.type, bytes, samples);
+    const auto end = samples.begin() + static_cast<std::ptrdiff_t>(*got) * format.channels;
+    not_numbers += std::count_if(samples.begin(), end, [](float sample) { return !std::isfinite(sample); });
+    frame += static_cast<std::int64_t>(*got);
   }
   if (not_numbers > 0) {
     add(findings, Severity::kError, "verify.not-a-number", fmt::format("{} samples are not numbers", not_numbers),
         take.signal_path(), "record again; they count as loss of signal");
   }
+  // Of a file that is too short another finding tells already.
+  const bool is_short = std::any_of(take.diagnostics.begin(), take.diagnostics.end(),
+                                    [](const Diagnostic& finding) { return finding.code == "take.short"; });
+  if (take.info.samples_crc32 && !is_short && checksum.value() != *take.info.samples_crc32) {
+    add(findings, Severity::kError, "verify.checksum",
+        fmt::format("the samples are not those that were recorded (checksum {:08x}, recorded {:08x})", checksum.value(),
+                    *take.info.samples_crc32),
+        take.signal_path(), "copy the take again; the disk or the card may be failing");
+  }
+}
+
+// CRC-32 of all samples; empty when they cannot be read.
+std::optional<std::uint32_t> checksum_of(const Take& take) {
+  Result<TakeReader> reader = TakeReader::open(take);
+  std::vector<std::byte> block(kBlockFrames * take.info.format.bytes_per_frame());
+  SampleChecksum checksum;
+  for (std::int64_t frame = 0; reader;) {
+    const Result<std::size_t> got = reader->read_raw(SampleIndex{frame}, block);
+    if (!got) {
+      break;
+    }
+    if (*got == 0) {
+      return checksum.value();
+    }
+    checksum.add(std::span(block).first(*got * take.info.format.bytes_per_frame()));
+    frame += static_cast<std::int64_t>(*got);
+  }
+  return std::nullopt;
 }
 
 void check_json_files(const fs::path& folder, Diagnostics& findings) {
@@ -260,6 +298,7 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
       segment.first.value = std::min(segment.first.value, signal->frames);
       segment.count.value = std::min(segment.count.value, signal->frames - segment.first.value);
     }
+    take->info.samples_crc32 = checksum_of(*take);
     if (Status status = save_info(*take); !status) {
       return status.error();
     }
