@@ -82,7 +82,7 @@ void record(const Options& options, bool as_json, Console& console) {
     console.print(last->diagnostics);
   }
   if (!last->recording_error.empty()) {
-    console.fail({"recording stopped early: " + last->recording_error, options.take, "what was recorded is kept"});
+    console.fail({last->recording_error, "", ""});  // it names the place and what to do
   }
   if (!last->source_alive) {
     console.fail({"the device stopped giving samples", options.device, "what was recorded is kept; check the cable"});

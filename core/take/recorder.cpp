@@ -131,6 +131,10 @@ std::optional<Error> Recorder::Impl::check_disk(std::size_t coming) {
   if (spare_bytes() >= bytes_since_check + coming) {
     return std::nullopt;
   }
+  if (settings.publish_at_close) {
+    return Error{fmt::format("does not fit: the disk is nearly full ({} MB left)", free >> 20), folder.string(),
+                 "make room, or choose another disk"};
+  }
   return Error{fmt::format("recording stopped because the disk is nearly full ({} MB left)", free >> 20),
                folder.string(), "everything up to here is kept; make room, or record to another disk"};
 }

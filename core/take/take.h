@@ -9,6 +9,7 @@
 
 #include "acquire/sample_format.h"
 #include "base/diagnostics.h"
+#include "base/progress.h"
 #include "base/result.h"
 #include "base/time.h"
 #include "body/rig.h"
@@ -73,8 +74,8 @@ Status append_event(const std::filesystem::path& folder, const TakeEvent& event)
 struct VerifyReport {
   Diagnostics findings;  ///< Empty: whole.
 };
-/// Checks every file of a take against the others. Only reads.
-Result<VerifyReport> verify_take(const std::filesystem::path& folder);
+/// Checks every file of a take against the others, and the samples against their checksum. Only reads.
+Result<VerifyReport> verify_take(const std::filesystem::path& folder, const Progress& progress = {});
 /// Repairs headers and take.json after a crash; loses no sample. Says what it did.
 Result<Diagnostics> recover_take(const std::filesystem::path& folder);
 

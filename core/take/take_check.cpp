@@ -87,12 +87,12 @@ void check_rig(const TakeInfo& info, const fs::path& place, Diagnostics& finding
 }
 
 // Every sample is read, so that a disk that fails shows now and not later.
-void check_samples(const Take& take, Diagnostics& findings) {
+Status check_samples(const Take& take, Diagnostics& findings, const Progress& progress) {
   Result<TakeReader> reader = TakeReader::open(take);
   if (!reader) {
     add(findings, Severity::kError, "verify.samples", reader.error().message, reader.error().place,
         reader.error().remedy);
-    return;
+    return {};
   }
   const acquire::StreamFormat& format = take.info.format;
   std::vector<std::byte> block(kBlockFrames * format.bytes_per_frame());
@@ -103,7 +103,7 @@ void check_samples(const Take& take, Diagnostics& findings) {
     const Result<std::size_t> got = reader->read_raw(SampleIndex{frame}, block);
     if (!got) {
       add(findings, Severity::kError, "verify.samples", got.error().message, got.error().place, got.error().remedy);
-      return;
+      return {};
     }
     if (*got == 0) {
       break;
@@ -114,6 +114,10 @@ void check_samples(const Take& take, Diagnostics& findings) {
     const auto end = samples.begin() + static_cast<std::ptrdiff_t>(*got) * format.channels;
     not_numbers += std::count_if(samples.begin(), end, [](float sample) { return !std::isfinite(sample); });
     frame += static_cast<std::int64_t>(*got);
+    const double all = std::max(1.0, static_cast<double>(take.info.frames));
+    if (!progress.report(std::min(1.0, static_cast<double>(frame) / all), "checking")) {
+      return cancelled();
+    }
   }
   if (not_numbers > 0) {
     add(findings, Severity::kError, "verify.not-a-number", fmt::format("{} samples are not numbers", not_numbers),
@@ -128,6 +132,7 @@ void check_samples(const Take& take, Diagnostics& findings) {
                     *take.info.samples_crc32),
         take.signal_path(), "copy the take again; the disk or the card may be failing");
   }
+  return {};
 }
 
 // CRC-32 of all samples; empty when they cannot be read.
@@ -228,7 +233,7 @@ Status repair_events(const fs::path& path, Diagnostics& done) {
 
 }  // namespace
 
-Result<VerifyReport> verify_take(const fs::path& folder) {
+Result<VerifyReport> verify_take(const fs::path& folder, const Progress& progress) {
   const Result<Take> take = open_take(folder);
   if (!take) {
     return take.error();
@@ -246,7 +251,9 @@ Result<VerifyReport> verify_take(const fs::path& folder) {
   check_header(*take, *signal, report.findings);
   check_segments(*take, report.findings);
   check_rig(take->info, folder / "take.json", report.findings);
-  check_samples(*take, report.findings);
+  if (Status status = check_samples(*take, report.findings, progress); !status) {
+    return status.error();
+  }
   check_json_files(folder, report.findings);
   return report;
 }
