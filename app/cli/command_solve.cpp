@@ -12,7 +12,7 @@ namespace limbwave::cli {
 
 void add_solve(CLI::App& app, Console& console) {
   struct Options {
-    std::string take, sensors = "A", method = "inclination", root = "fixed", smoothing = "bridging";
+    std::string take, sensors = "A", method = "inclination", root = "fixed", smoothing = "adaptive";
     solve::SolveSettings settings;
     std::string left = "auto", right = "auto";
     double coupling = -1.0;
@@ -55,7 +55,7 @@ void add_solve(CLI::App& app, Console& console) {
       ->capture_default_str();
   command->add_option("--name", options->settings.name, "Name of the solve within the take")->capture_default_str();
   add_json_option(*command, options->json, "Write the quality report as JSON");
-  command->footer("Example: limbwave solve reach.take --smoothing bridging --name final");
+  command->footer("Example: limbwave solve reach.take --smoothing adaptive --name final");
   command->callback([options, command, &console] {
     solve::SolveSettings settings = options->settings;
     settings.smoothing = options->smoothing == "none"       ? solve::Smoothing::kNone
