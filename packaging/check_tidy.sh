@@ -9,11 +9,13 @@ export database
 export cache=${XDG_CACHE_HOME:-$HOME/.cache}/limbwave-tidy
 mkdir -p "$cache"
 configuration=$( { cat .clang-tidy; clang-tidy --version; } | sha256sum | cut -c1-16)
-export configuration
+tests_configuration=$( { cat tests/.clang-tidy; clang-tidy --version; } | sha256sum | cut -c1-16)
+export configuration tests_configuration
 check() {
   local file=$1 command key log
   command=$(python3 packaging/tidy_commands.py --preprocess "$database" "$PWD/$file") || return 0
   key=$(eval "$command" 2>/dev/null | sed "s|$PWD||g" | sha256sum | cut -c1-32)-$configuration
+  [[ $file == tests/* ]] && key=${key%-*}-$tests_configuration
   [[ -e $cache/$key ]] && return 0
   log=$(mktemp)
   if clang-tidy -p "$database" --quiet "$file" >"$log" 2>&1; then
@@ -26,4 +28,4 @@ check() {
   fi
 }
 export -f check
-git ls-files 'core/*.cpp' 'app/*.cpp' 'ui/*.cpp' | xargs -P "$(nproc)" -I{} bash -c 'check {}'
+git ls-files 'core/*.cpp' 'app/*.cpp' 'ui/*.cpp' 'tests/*.cpp' | xargs -P "$(nproc)" -I{} bash -c 'check {}'

@@ -30,6 +30,11 @@ export LIMBWAVE_HOME="$demo/library"
 "$limbwave" solve "$demo/reach.take"
 "$limbwave" evaluate "$demo/reach.take"
 "$limbwave" export "$demo/reach.take" -o "$demo/reach.bvh"
+if [[ -z ${XDG_RUNTIME_DIR:-} ]]; then  # as after a plain `su` or in a container; Qt would complain
+  XDG_RUNTIME_DIR=$(mktemp -d)
+  trap 'rm -rf "$XDG_RUNTIME_DIR"' EXIT
+  export XDG_RUNTIME_DIR
+fi
 QT_QPA_PLATFORM=offscreen "$studio" --pictures "$demo" "$demo/reach.take"
 echo "No display, so the demo ran through the command line. It left:"
 echo "  take      $demo/reach.take"

@@ -207,6 +207,7 @@ void calibrate_limb(const Options& options, bool as_json, Console& console) {
 void add_calibrate(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("calibrate", "Calibrate sensors from the movements in a take");
   command->require_subcommand(1);
+  command->footer("Example: limbwave calibrate range session.take");
   const auto add = [&](const char* name, const char* help, auto run, bool limb) {
     auto options = std::make_shared<Options>();
     CLI::App* procedure = command->add_subcommand(name, help);
@@ -221,9 +222,7 @@ void add_calibrate(CLI::App& app, Console& console) {
     }
     procedure->add_flag("--no-library", options->no_library, "Write into the take only");
     procedure->add_flag("--save-poor", options->save_poor, "Keep results whose verdict is \"repeat\"");
-    procedure->add_option("--json", options->json, "Write the report as JSON to this file; -: standard output")
-        ->expected(0, 1)
-        ->default_str("-");
+    add_json_option(*procedure, options->json, "Write the report as JSON");
     procedure->footer(std::string("Example: limbwave calibrate ") + name + " session.take");
     procedure->callback(
         [options, procedure, run, &console] { run(*options, procedure->count("--json") > 0, console); });

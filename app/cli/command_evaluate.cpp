@@ -20,9 +20,7 @@ void add_evaluate(CLI::App& app, Console& console) {
   command->add_option("TAKE", options->take, "Folder of the take")->required();
   command->add_option("--solve", options->solve, "Name of the solve")->capture_default_str();
   command->add_option("--truth", options->truth, "Truth as CSV; otherwise the take's truth.json");
-  command->add_option("--json", options->json, "Write the figures as JSON to this file; -: standard output")
-      ->expected(0, 1)
-      ->default_str("-");
+  add_json_option(*command, options->json, "Write the figures as JSON");
   command->footer("Example: limbwave evaluate reach.take --json errors.json");
   command->callback([options, command, &console] {
     const take::Take take = console.check(take::open_take(options->take));

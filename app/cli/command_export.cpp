@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
@@ -17,9 +19,17 @@
 namespace limbwave::cli {
 namespace {
 
+// ".BVH" of another program is ".bvh" too.
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return letter < 0x80 ? std::tolower(letter) : letter; });
+  return extension;
+}
+
 motion::Clip load_clip(const std::string& input, const std::string& solve, Console& console) {
   const std::filesystem::path path(input);
-  const std::string extension = path.extension().string();
+  const std::string extension = extension_of(path);
   if (std::filesystem::is_directory(path)) {
     const take::Take take = console.check(take::open_take(path));
     return console.check(solve::load_solve(take, solve)).clip;
@@ -65,7 +75,7 @@ void add_export(CLI::App& app, Console& console) {
   command->callback([options, &console] {
     motion::Clip clip = load_clip(options->input, options->solve, console);
     const std::filesystem::path output(options->output);
-    const std::string extension = output.extension().string();
+    const std::string extension = extension_of(output);
     const double fps = interchange::exact_frame_rate(options->fps);
     if (fps > 0.0 && extension != ".fbx") {
       clip = motion::resampled(clip, fps);

@@ -87,7 +87,7 @@ void add_info(CLI::App& app, Console& console) {
     print_info(console.check(take::open_take(options->take)), options->json, console);
   });
   add("verify", "Check whether a take is whole", "Example: limbwave verify reach.take")->callback([options, &console] {
-    const take::VerifyReport report = console.check(take::verify_take(options->take));
+    const take::VerifyReport report = console.check(take::verify_take(options->take, console.progress()));
     if (options->json) {
       console.print_json({{"whole", report.findings.empty()}, {"findings", diagnostics_to_json(report.findings)}});
     } else {

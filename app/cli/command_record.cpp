@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "acquire/sound_card.h"
@@ -16,6 +17,7 @@ namespace {
 struct Options {
   std::string take, device = "default", rig = "line-in-arm", subject, type = "int16", errors = "paper";
   double rate = 48000.0, seconds = 0.0;
+  std::string json;
 };
 
 std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console& console) {
@@ -39,7 +41,7 @@ std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console
   return console.check(acquire::open_sound_card(options.device, format));
 }
 
-void record(const Options& options, Console& console) {
+void record(const Options& options, bool as_json, Console& console) {
   solve::LiveSettings settings;
   settings.rig = console.check(body::load_rig(options.rig));
   settings.skeleton = console.check(body::load_skeleton(settings.rig.skeleton));
@@ -63,14 +65,24 @@ void record(const Options& options, Console& console) {
   session.stop();
   const auto last = session.snapshot();
   const take::Take take = console.check(session.stop_recording());
-  console.print(
-      fmt::format("{}: {:.2f} s recorded; capture to pose {:.0f} ms mean, {:.0f} ms at most, beyond the "
-                  "device's {:.0f} ms",
-                  options.take, static_cast<double>(take.info.frames) / take.info.format.rate.hz,
-                  1e3 * last->latency_mean_s, 1e3 * last->latency_max_s, 1e3 * last->device_latency_s));
-  console.print(last->diagnostics);
+  const double seconds = static_cast<double>(take.info.frames) / take.info.format.rate.hz;
+  if (as_json) {
+    console.print_json({{"take", options.take},
+                        {"seconds", seconds},
+                        {"frames", take.info.frames},
+                        {"latency_mean_s", last->latency_mean_s},
+                        {"latency_max_s", last->latency_max_s},
+                        {"device_latency_s", last->device_latency_s},
+                        {"diagnostics", diagnostics_to_json(last->diagnostics)}},
+                       options.json);
+  } else {
+    console.print(fmt::format(
+        "{}: {:.2f} s recorded; capture to pose {:.0f} ms mean, {:.0f} ms at most, beyond the device's {:.0f} ms",
+        options.take, seconds, 1e3 * last->latency_mean_s, 1e3 * last->latency_max_s, 1e3 * last->device_latency_s));
+    console.print(last->diagnostics);
+  }
   if (!last->recording_error.empty()) {
-    console.fail({"recording stopped early: " + last->recording_error, options.take, "what was recorded is kept"});
+    console.fail({last->recording_error, "", ""});  // it names the place and what to do
   }
   if (!last->source_alive) {
     console.fail({"the device stopped giving samples", options.device, "what was recorded is kept; check the cable"});
@@ -98,7 +110,8 @@ void add_record(CLI::App& app, Console& console) {
       ->capture_default_str();
   command->add_option("--errors", options->errors, "Error profile of the simulator")->capture_default_str();
   command->footer("Example: limbwave record walk.take --device default --seconds 60");
-  command->callback([options, &console] { record(*options, console); });
+  add_json_option(*command, options->json, "Write what was recorded as JSON");
+  command->callback([options, command, &console] { record(*options, command->count("--json") > 0, console); });
 }
 
 }  // namespace limbwave::cli

@@ -56,9 +56,7 @@ void add_solve(CLI::App& app, Console& console) {
       ->check(CLI::IsMember({"auto", "normal", "inverted"}))
       ->capture_default_str();
   command->add_option("--name", options->settings.name, "Name of the solve within the take")->capture_default_str();
-  command->add_option("--json", options->json, "Write the quality report as JSON to this file; -: standard output")
-      ->expected(0, 1)
-      ->default_str("-");
+  add_json_option(*command, options->json, "Write the quality report as JSON");
   command->footer("Example: limbwave solve reach.take --smoothing adaptive --name final");
   command->callback([options, command, &console] {
     solve::SolveSettings settings = options->settings;

@@ -7,6 +7,9 @@
 
 namespace limbwave::cli {
 
+/// The option `--json [FILE]` of commands that report: "-" or nothing is standard output.
+void add_json_option(CLI::App& command, std::string& file, const std::string& what);
+
 void add_calibrate(CLI::App& app, Console& console);
 void add_devices(CLI::App& app, Console& console);
 void add_evaluate(CLI::App& app, Console& console);

@@ -1,10 +1,16 @@
 /// `limbwave`: everything the studio can do to data, for scripts.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "commands.h"
+
+void limbwave::cli::add_json_option(CLI::App& command, std::string& file, const std::string& what) {
+  command.add_option("--json", file, what + " to this file; -: standard output")->expected(0, 1)->default_str("-");
+}
 
 namespace {
 
@@ -34,7 +40,10 @@ int run(int argc, char** argv) {
     if (unknown) {
       std::fprintf(stderr, "limbwave: \"%s\" is not a command; see limbwave --help\n", argv[1]);
     } else {
-      std::fprintf(stderr, "limbwave: %s; see limbwave --help\n", error.what());
+      std::string message = error.what();
+      std::replace(message.begin(), message.end(), '\n', ' ');
+      const std::string command = app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name();
+      std::fprintf(stderr, "limbwave: %s; see limbwave%s --help\n", message.c_str(), command.c_str());
     }
     return 2;
   } catch (const CommandFailed& error) {
@@ -45,6 +54,10 @@ int run(int argc, char** argv) {
     return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "limbwave: unexpected failure: %s; please report this\n", error.what());
+    return 1;
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    std::fputs("limbwave: standard output: cannot be written; check that the disk has room\n", stderr);
     return 1;
   }
   return 0;

@@ -7,11 +7,13 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "acquire/container_layout.h"
+#include "acquire/silent_terminal.h"
 
 namespace limbwave::acquire {
 namespace fs = std::filesystem;
@@ -76,7 +78,29 @@ Error error_at(const fs::path& path, std::string message, std::string remedy) {
 
 std::string seconds_text(std::uint64_t bytes, const ContainerLayout& layout) {
   const std::uint64_t frames = bytes / static_cast<std::uint64_t>(layout.bytes_per_frame);
-  return fmt::format("{:.1f} s", static_cast<double>(frames) / layout.rate_hz);
+  const double seconds = static_cast<double>(frames) / layout.rate_hz;
+  return seconds < 0.1 ? fmt::format("{} samples", frames) : fmt::format("{:.1f} s", seconds);
+}
+
+// libsndfile's reason within a line of ours.
+std::string library_reason() {
+  std::string reason = sf_strerror(nullptr);
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  reason.erase(reason.find_last_not_of(" .") + 1);
+  return reason;
+}
+
+// Whether libsndfile may take the file for MPEG audio: by what it is not.
+bool may_be_mpeg(const fs::path& path) {
+  char head[4] = {};
+  std::ifstream(path, std::ios::binary).read(head, sizeof head);
+  const std::string_view marker(head, sizeof head);
+  for (const std::string_view other : {"RF64", "BW64", "riff", "FORM", "fLaC", "OggS", "caff", ".snd"}) {
+    if (marker == other) {
+      return false;
+    }
+  }
+  return true;  // RIFF too: a WAV file may hold MPEG
 }
 
 std::optional<Error> check_file(const fs::path& path) {
@@ -124,6 +148,7 @@ struct RecordingFile::Impl {
   Mapping mapping;
   bool count_exact = false;
   bool is_raw = false;
+  bool noisy = false;  // libsndfile may write to the terminal while reading it
   bool accept_truncated = false;
   std::optional<std::int64_t> frames;
   std::int64_t done = 0;
@@ -166,7 +191,7 @@ std::optional<Error> RecordingFile::Impl::check_layout(const ContainerLayout& la
     const std::string message = fmt::format("the recording is cut off: its header promises {}, but {} are there",
                                             seconds_text(*layout.data_bytes, layout), seconds_text(there, layout));
     if (!accept_truncated) {
-      return error_at(path, message, "copy it again from the recorder");
+      return error_at(path, message, kBreaksOffRemedy);
     }
     note(Severity::kWarning, "recording.truncated", message, "copy it again from the recorder if that has more");
   }
@@ -209,12 +234,16 @@ Result<RecordingFile> RecordingFile::open(const fs::path& path, const RecordingO
     }
   }
   SF_INFO info{};
-  impl->file = sf_open(path.c_str(), SFM_READ, &info);
+  impl->noisy = may_be_mpeg(path) && !(layout && layout->bytes_per_frame > 0);
+  {
+    const SilentTerminal silence(impl->noisy);
+    impl->file = sf_open(path.c_str(), SFM_READ, &info);
+  }
   if (impl->file == nullptr) {
     const int reason = sf_error(nullptr);
     return reason == SF_ERR_UNRECOGNISED_FORMAT
                ? error_at(path, "is not an audio file that can be read", kKnownKinds)
-               : error_at(path, fmt::format("cannot be read ({})", sf_strerror(nullptr)),
+               : error_at(path, fmt::format("is damaged, or of a kind that cannot be read ({})", library_reason()),
                           "copy it again from the recorder, or export it as WAV");
   }
   if (std::optional<Error> error = check_format(path, info.channels, info.samplerate, options)) {
@@ -320,7 +349,11 @@ Result<std::size_t> RecordingFile::read(std::span<std::byte> out) {
   if (self.is_raw) {  // libsndfile counts the header as samples there
     wanted = std::min<sf_count_t>(wanted, *self.frames - self.done);
   }
-  const sf_count_t got = std::max<sf_count_t>(self.read_frames(out, wanted), 0);
+  sf_count_t got = 0;
+  {
+    const SilentTerminal silence(self.noisy);
+    got = std::max<sf_count_t>(self.read_frames(out, wanted), 0);
+  }
   const std::size_t bytes = static_cast<std::size_t>(got) * frame;
   if (self.format.type == SampleType::kFloat32) {
     self.count_not_numbers(out.first(bytes));
@@ -332,7 +365,7 @@ Result<std::size_t> RecordingFile::read(std::span<std::byte> out) {
       return error_at(self.path,
                       fmt::format("the recording breaks off or is damaged after {:.1f} s",
                                   static_cast<double>(self.done) / self.format.rate.hz),
-                      "copy it again from the recorder");
+                      kBreaksOffRemedy);
     }
     if (is_short) {
       self.note(

@@ -16,6 +16,9 @@ namespace limbwave::acquire {
 inline constexpr double kLowestRateHz = 8000.0;     ///< A cycle of the multiplexer needs several samples per slot.
 inline constexpr double kHighestRateHz = 768000.0;  ///< No sound card goes beyond.
 
+/// What to do about a recording that breaks off and that `accept_truncated` would take.
+inline constexpr const char* kBreaksOffRemedy = "copy it again from the recorder, or accept what is there";
+
 struct RecordingOptions {
   /// Read a file whose header promises more samples than are there as far as it goes, with a diagnostic.
   bool accept_truncated = false;

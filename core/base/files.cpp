@@ -82,7 +82,16 @@ Status write_file(const fs::path& path, std::string_view content) {
   if (::rename(part.c_str(), path.c_str()) != 0) {
     return fail("cannot be written");
   }
+  sync_folder(path.parent_path());
   return {};
+}
+
+void sync_folder(const fs::path& folder) {
+  const int handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle >= 0) {
+    (void)::fsync(handle);
+    ::close(handle);
+  }
 }
 
 fs::path resources_folder() {

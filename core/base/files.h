@@ -16,6 +16,10 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t lim
 /// never a part. Fails with the operating system's reason.
 Status write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Puts the names in a folder onto the disk: a file that was made, renamed or removed there stays so when the power
+/// goes. File systems that cannot do that are left alone.
+void sync_folder(const std::filesystem::path& folder);
+
 /// Folder of rigs, skeletons and other shipped files: $LIMBWAVE_RESOURCES, else beside the program, else where it
 /// was built or installed.
 std::filesystem::path resources_folder();

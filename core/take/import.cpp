@@ -19,10 +19,11 @@ std::string describe(const acquire::StreamFormat& format) {
 
 // All files before the first sample is copied, so that a wrong one is noticed at once. They are opened again to be
 // read: there may be more parts than a process may have files open.
-Result<std::vector<std::int64_t>> check_files(const std::vector<fs::path>& files, acquire::StreamFormat& format) {
+Result<std::vector<std::int64_t>> check_files(const std::vector<fs::path>& files,
+                                              const acquire::RecordingOptions& reading, acquire::StreamFormat& format) {
   std::vector<std::int64_t> frames;
   for (const fs::path& path : files) {
-    const Result<acquire::RecordingFile> file = acquire::RecordingFile::open(path);
+    const Result<acquire::RecordingFile> file = acquire::RecordingFile::open(path, reading);
     if (!file) {
       return file.error();
     }
@@ -83,12 +84,13 @@ Status note_findings(const Diagnostics& findings, std::int64_t first_frame, Reco
 }  // namespace
 
 Result<Take> import_recordings(const fs::path& folder, const std::vector<fs::path>& files, const body::Rig& rig,
-                               const Progress& progress, const std::string& subject) {
+                               const Progress& progress, const std::string& subject,
+                               const acquire::RecordingOptions& reading) {
   if (files.empty()) {
     return Error{"there is no recording to import", folder.string(), "name at least one file"};
   }
   TakeInfo info;
-  const Result<std::vector<std::int64_t>> lengths = check_files(files, info.format);
+  const Result<std::vector<std::int64_t>> lengths = check_files(files, reading, info.format);
   if (!lengths) {
     return lengths.error();
   }
@@ -116,7 +118,7 @@ Result<Take> import_recordings(const fs::path& folder, const std::vector<fs::pat
   double before = 0.0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const double after = before + static_cast<double>(std::max<std::int64_t>((*lengths)[i], 1)) / total;
-    Result<acquire::RecordingFile> file = acquire::RecordingFile::open(files[i]);
+    Result<acquire::RecordingFile> file = acquire::RecordingFile::open(files[i], reading);
     if (!file) {
       return file.error();
     }

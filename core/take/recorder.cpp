@@ -16,6 +16,8 @@
 #include "acquire/wav_writer.h"
 #include "base/files.h"
 #include "base/folder.h"
+#include "take/disk_sync.h"
+#include "take/sample_checksum.h"
 
 namespace limbwave::take {
 namespace fs = std::filesystem;
@@ -98,6 +100,8 @@ struct Recorder::Impl {
   Take take;        // its folder is where the files are now
   RecorderSettings settings;
   std::unique_ptr<acquire::WavWriter> signal;
+  std::unique_ptr<DiskSync> sync;  // only while recording; what is made in one go is synced when closing
+  SampleChecksum checksum;
   bool published = false;
   std::optional<Error> stopped;
   Clock::time_point header_time = Clock::now();
@@ -127,6 +131,10 @@ std::optional<Error> Recorder::Impl::check_disk(std::size_t coming) {
   }
   if (spare_bytes() >= bytes_since_check + coming) {
     return std::nullopt;
+  }
+  if (settings.publish_at_close) {
+    return Error{fmt::format("does not fit: the disk is nearly full ({} MB left)", free >> 20), folder.string(),
+                 "make room, or choose another disk"};
   }
   return Error{fmt::format("recording stopped because the disk is nearly full ({} MB left)", free >> 20),
                folder.string(), "everything up to here is kept; make room, or record to another disk"};
@@ -191,6 +199,10 @@ Result<std::unique_ptr<Recorder>> Recorder::create(const fs::path& folder, TakeI
   }
   if (impl->published) {
     impl->take.folder = impl->folder;
+    sync_folder(impl->folder.parent_path());
+    impl->sync =
+        std::make_unique<DiskSync>(std::vector<fs::path>{impl->take.signal_path(), impl->take.folder / "events.jsonl"},
+                                   impl->settings.sync_interval);
   }
   return std::unique_ptr<Recorder>(new Recorder(std::move(impl)));
 }
@@ -217,9 +229,15 @@ Status Recorder::write(std::span<const std::byte> frames) {
   if (self.stopped) {
     return *self.stopped;
   }
+  const std::int64_t before = self.signal->frames();
   Status status = self.signal->write(frames);
   self.bytes_since_check += frames.size();
   self.take.info.frames = self.signal->frames();
+  const auto kept = static_cast<std::size_t>(self.take.info.frames - before);
+  self.checksum.add(frames.first(kept * self.take.info.format.bytes_per_frame()));
+  if (self.sync) {
+    self.sync->written();
+  }
   if (!status) {
     self.stopped = status.error();
     return status;
@@ -232,7 +250,11 @@ Status Recorder::write(std::span<const std::byte> frames) {
 }
 
 Status Recorder::add_event(const TakeEvent& event) {
-  return append_event(impl_->take.folder, event);
+  Status status = append_event(impl_->take.folder, event);
+  if (impl_->sync) {
+    impl_->sync->written();
+  }
+  return status;
 }
 
 Status Recorder::add_segment(const TakeSegment& segment) {
@@ -274,12 +296,15 @@ Result<Take> Recorder::close() {
   if (self.signal == nullptr) {
     return Error{"the recording is closed", self.folder.string(), ""};
   }
+  self.sync.reset();
   const Status closed = self.signal->close();
   self.signal.reset();
   self.take.info.complete = true;
+  self.take.info.samples_crc32 = self.checksum.value();
   Status status = closed ? save_info(self.take) : closed;
   if (status && !self.published) {
     status = publish(self.take.folder, self.folder);
+    sync_folder(self.folder.parent_path());
   }
   if (!status) {
     std::error_code code;
@@ -294,6 +319,7 @@ Result<Take> Recorder::close() {
 }
 
 void Recorder::discard() {
+  impl_->sync.reset();
   impl_->signal.reset();
   std::error_code code;
   fs::remove_all(impl_->take.folder, code);

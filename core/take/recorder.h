@@ -1,6 +1,7 @@
 /// Writes a take while it happens, so that killing the program at any instant leaves a take that opens.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -21,10 +22,13 @@ struct RecorderSettings {
   /// True for work that makes a take in one go (import, simulation): the folder appears under its name only when
   /// `close` succeeds, and nothing is left otherwise. False for recording: it is there from the start.
   bool publish_at_close = false;
+  /// While recording, what was written is put onto the disk itself at most this often.
+  std::chrono::milliseconds sync_interval{1000};
 };
 
 /// One recording. Not thread-safe: one thread writes. Raw samples go to the operating system with every `write`, the
-/// header of signal.wav is brought up to date at least four times a second while samples come, events at once.
+/// header of signal.wav is brought up to date at least four times a second while samples come, events at once. A thread
+/// of the recorder's own puts all that onto the disk once a second, so that a loss of power costs little more.
 class Recorder {
  public:
   /// Makes the folder (its parents too) with take.json, an empty signal.wav and events.jsonl, all of it or nothing.

@@ -9,6 +9,7 @@
 
 #include "acquire/sample_format.h"
 #include "base/diagnostics.h"
+#include "base/progress.h"
 #include "base/result.h"
 #include "base/time.h"
 #include "body/rig.h"
@@ -42,6 +43,9 @@ struct TakeInfo {
   acquire::StreamFormat format;
   bool complete = false;    ///< False while recording and after a crash.
   std::int64_t frames = 0;  ///< Frames per channel; what the file holds counts if it is not complete.
+  /// CRC-32 (as in zlib and PNG) of the raw samples, without the header; empty until the recording is closed, and in
+  /// takes that did not have one.
+  std::optional<std::uint32_t> samples_crc32;
   body::Rig rig;
   body::Skeleton skeleton;
   std::optional<calibrate::RigCalibration> calibration;
@@ -70,8 +74,8 @@ Status append_event(const std::filesystem::path& folder, const TakeEvent& event)
 struct VerifyReport {
   Diagnostics findings;  ///< Empty: whole.
 };
-/// Checks every file of a take against the others. Only reads.
-Result<VerifyReport> verify_take(const std::filesystem::path& folder);
+/// Checks every file of a take against the others, and the samples against their checksum. Only reads.
+Result<VerifyReport> verify_take(const std::filesystem::path& folder, const Progress& progress = {});
 /// Repairs headers and take.json after a crash; loses no sample. Says what it did.
 Result<Diagnostics> recover_take(const std::filesystem::path& folder);
 

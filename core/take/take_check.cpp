@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "base/folder.h"
 #include "base/json_reader.h"
+#include "take/sample_checksum.h"
 #include "take/signal_file.h"
 #include "take/take.h"
 #include "take/take_reader.h"
@@ -20,6 +21,8 @@
 namespace limbwave::take {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::size_t kBlockFrames = 65536;
 
 void add(Diagnostics& list, Severity severity, const char* code, std::string message, const fs::path& place,
          std::string remedy = {}) {
@@ -83,31 +86,71 @@ void check_rig(const TakeInfo& info, const fs::path& place, Diagnostics& finding
 }
 
 // Every sample is read, so that a disk that fails shows now and not later.
-void check_samples(const Take& take, Diagnostics& findings) {
+Status check_samples(const Take& take, Diagnostics& findings, const Progress& progress) {
   Result<TakeReader> reader = TakeReader::open(take);
   if (!reader) {
     add(findings, Severity::kError, "verify.samples", reader.error().message, reader.error().place,
         reader.error().remedy);
-    return;
+    return {};
   }
-  std::vector<float> block(std::size_t{65536} * static_cast<std::size_t>(take.info.format.channels));
+  const acquire::StreamFormat& format = take.info.format;
+  std::vector<std::byte> block(kBlockFrames * format.bytes_per_frame());
+  std::vector<float> samples(kBlockFrames * static_cast<std::size_t>(format.channels));
+  SampleChecksum checksum;
   std::int64_t not_numbers = 0;
-  for (;;) {
-    const Result<std::size_t> got = reader->next(block);
+  for (std::int64_t frame = 0;;) {
+    const Result<std::size_t> got = reader->read_raw(SampleIndex{frame}, block);
     if (!got) {
       add(findings, Severity::kError, "verify.samples", got.error().message, got.error().place, got.error().remedy);
-      return;
+      return {};
     }
     if (*got == 0) {
       break;
     }
-    const auto end = block.begin() + static_cast<std::ptrdiff_t>(*got) * take.info.format.channels;
-    not_numbers += std::count_if(block.begin(), end, [](float sample) { return !std::isfinite(sample); });
+    const std::span<const std::byte> bytes = std::span(block).first(*got * format.bytes_per_frame());
+    checksum.add(bytes);
+    acquire::to_float(format.type, bytes, samples);
+    const auto end = samples.begin() + static_cast<std::ptrdiff_t>(*got) * format.channels;
+    not_numbers += std::count_if(samples.begin(), end, [](float sample) { return !std::isfinite(sample); });
+    frame += static_cast<std::int64_t>(*got);
+    const double all = std::max(1.0, static_cast<double>(take.info.frames));
+    if (!progress.report(std::min(1.0, static_cast<double>(frame) / all), "checking")) {
+      return cancelled();
+    }
   }
   if (not_numbers > 0) {
     add(findings, Severity::kError, "verify.not-a-number", fmt::format("{} samples are not numbers", not_numbers),
         take.signal_path(), "record again; they count as loss of signal");
   }
+  // Of a file that is too short another finding tells already.
+  const bool is_short = std::any_of(take.diagnostics.begin(), take.diagnostics.end(),
+                                    [](const Diagnostic& finding) { return finding.code == "take.short"; });
+  if (take.info.samples_crc32 && !is_short && checksum.value() != *take.info.samples_crc32) {
+    add(findings, Severity::kError, "verify.checksum",
+        fmt::format("the samples are not those that were recorded (checksum {:08x}, recorded {:08x})", checksum.value(),
+                    *take.info.samples_crc32),
+        take.signal_path(), "copy the take again; the disk or the card may be failing");
+  }
+  return {};
+}
+
+// CRC-32 of all samples; empty when they cannot be read.
+std::optional<std::uint32_t> checksum_of(const Take& take) {
+  Result<TakeReader> reader = TakeReader::open(take);
+  std::vector<std::byte> block(kBlockFrames * take.info.format.bytes_per_frame());
+  SampleChecksum checksum;
+  for (std::int64_t frame = 0; reader;) {
+    const Result<std::size_t> got = reader->read_raw(SampleIndex{frame}, block);
+    if (!got) {
+      break;
+    }
+    if (*got == 0) {
+      return checksum.value();
+    }
+    checksum.add(std::span(block).first(*got * take.info.format.bytes_per_frame()));
+    frame += static_cast<std::int64_t>(*got);
+  }
+  return std::nullopt;
 }
 
 void check_json_file(const fs::path& path, Diagnostics& findings) {
@@ -225,7 +268,7 @@ Status repair_events(const fs::path& path, Diagnostics& done) {
 
 }  // namespace
 
-Result<VerifyReport> verify_take(const fs::path& folder) {
+Result<VerifyReport> verify_take(const fs::path& folder, const Progress& progress) {
   const Result<Take> take = open_take(folder);
   if (!take) {
     return take.error();
@@ -243,7 +286,9 @@ Result<VerifyReport> verify_take(const fs::path& folder) {
   check_header(*take, *signal, report.findings);
   check_segments(*take, report.findings);
   check_rig(take->info, folder / "take.json", report.findings);
-  check_samples(*take, report.findings);
+  if (Status status = check_samples(*take, report.findings, progress); !status) {
+    return status.error();
+  }
   check_json_files(folder, folder / "take.json", report.findings);
   return report;
 }
@@ -300,6 +345,7 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
       segment.first.value = std::min(segment.first.value, signal->frames);
       segment.count.value = std::min(segment.count.value, signal->frames - segment.first.value);
     }
+    take->info.samples_crc32 = checksum_of(*take);
     if (Status status = save_info(*take); !status) {
       return status.error();
     }

@@ -38,8 +38,8 @@ Result<TakeInfo> info_from_json(const nlohmann::json& json, const std::string& p
   if (reader.has("schema") && reader.at("schema").integer(1, std::numeric_limits<int>::max()) > 1) {
     return Error{"was written by a newer version of Limbwave", place, "open it with that version"};
   }
-  reader.allow({"schema", "kind", "created", "subject", "source", "format", "complete", "frames", "rig", "skeleton",
-                "calibration", "segments"});
+  reader.allow({"schema", "kind", "created", "subject", "source", "format", "complete", "frames", "samples_crc32",
+                "rig", "skeleton", "calibration", "segments"});
   info.schema = static_cast<int>(reader.at("schema").integer(1, 1));
   info.kind = reader.at("kind").string();
   if (info.kind != "line-in") {
@@ -51,6 +51,10 @@ Result<TakeInfo> info_from_json(const nlohmann::json& json, const std::string& p
   info.format = read_format(reader.at("format"));
   info.complete = reader.at("complete").boolean();
   info.frames = reader.at("frames").integer(0, kMost);
+  if (reader.has("samples_crc32")) {
+    info.samples_crc32 =
+        static_cast<std::uint32_t>(reader.at("samples_crc32").integer(0, std::numeric_limits<std::uint32_t>::max()));
+  }
   if (reader.has("segments")) {
     for (const JsonReader& entry : reader.at("segments").items()) {
       info.segments.push_back(read_segment(entry));
@@ -101,6 +105,9 @@ nlohmann::json info_to_json(const TakeInfo& info) {
                          {"segments", std::move(segments)},
                          {"rig", body::rig_to_json(info.rig)},
                          {"skeleton", body::skeleton_to_json(info.skeleton)}};
+  if (info.samples_crc32) {
+    json["samples_crc32"] = *info.samples_crc32;
+  }
   if (info.calibration) {
     json["calibration"] = calibrate::calibration_to_json(*info.calibration);
   }

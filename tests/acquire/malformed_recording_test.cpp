@@ -243,5 +243,18 @@ TEST_F(MalformedRecording, AnythingMayBeWrongInOtherContainers) {
   }
 }
 
+TEST_F(MalformedRecording, OfMpegKeepsTheTerminalClean) {
+  // A frame header of MPEG layer III and then nothing of the kind: the decoder has a lot to say about that.
+  std::string bytes("\xFF\xFB\x90\x04", 4);
+  bytes += std::string(413, '\x55');
+  bytes += bytes.substr(0, 200) + std::string(3000, '\xFF');
+  testing::internal::CaptureStderr();
+  (void)outcome_of(bytes);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  testing::internal::CaptureStderr();
+  std::fputs("still there", stderr);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "still there");
+}
+
 }  // namespace
 }  // namespace limbwave::acquire

@@ -15,7 +15,6 @@ namespace {
 
 using test::TemporaryFolder;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 std::vector<std::byte> read_all(RecordingFile& file, std::size_t block_frames) {
   std::vector<std::byte> all;
@@ -114,7 +113,8 @@ TEST(RecordingFile, LossyCompressionIsReadWithAWarning) {
   const StreamFormat format{SampleRate{44100}, 2, SampleType::kFloat32};
   std::vector<float> tone(2 * 44100);
   for (std::size_t i = 0; i < tone.size(); ++i) {
-    tone[i] = 0.5F * std::sin(0.05F * static_cast<float>(i / 2));
+    const std::size_t frame = i / 2;
+    tone[i] = 0.5F * std::sin(0.05F * static_cast<float>(frame));
   }
   SF_INFO info{};
   info.samplerate = 44100;

@@ -29,7 +29,8 @@ class CommandLine {
   /// Environment variables beyond those of the test, "NAME=value".
   std::vector<std::string> environment;
 
-  [[nodiscard]] pid_t start(const std::vector<std::string>& arguments) const {
+  /// Standard output goes to `output` when that is given, and is then not in the outcome.
+  [[nodiscard]] pid_t start(const std::vector<std::string>& arguments, const std::string& output = {}) const {
     std::vector<std::string> words{LIMBWAVE_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -53,7 +54,8 @@ class CommandLine {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addchdir_np(&actions, folder_.c_str());
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, (folder_ / ".stdout").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    const std::string output_path = output.empty() ? (folder_ / ".stdout").string() : output;
+    posix_spawn_file_actions_addopen(&actions, 1, output_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     posix_spawn_file_actions_addopen(&actions, 2, (folder_ / ".stderr").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     pid_t child = -1;
     if (posix_spawn(&child, LIMBWAVE_PROGRAM, &actions, nullptr, argv.data(), envp.data()) != 0) {
@@ -74,7 +76,9 @@ class CommandLine {
     return outcome;
   }
 
-  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const { return wait(start(arguments)); }
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const std::string& output = {}) const {
+    return wait(start(arguments, output));
+  }
 
  private:
   static std::string text(const std::filesystem::path& path) {

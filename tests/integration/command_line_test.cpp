@@ -1,0 +1,205 @@
+/// What scripts rely on: exit codes, one line for every error, names with spaces and umlauts, nothing half-written.
+#include "support/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "support/audio_files.h"
+#include "support/temporary_folder.h"
+
+namespace limbwave {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing_support::CommandLine;
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (const std::string name = entry.path().filename().string(); name != ".stdout" && name != ".stderr") {
+      names.push_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void expect_one_line(const CommandLine::Outcome& outcome) {
+  EXPECT_THAT(outcome.errors, AllOf(StartsWith("limbwave: "), EndsWith("\n")));
+  EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+}
+
+std::string stereo_wav(int frames) {
+  return test::WavBytes{.data = std::string(static_cast<std::size_t>(frames) * 4, '\x11')}.bytes();
+}
+
+class CommandLineContract : public testing::Test {
+ protected:
+  const test::TemporaryFolder folder;
+  const CommandLine limbwave{folder.path()};
+};
+
+TEST_F(CommandLineContract, NamesMayHaveSpacesAndUmlauts) {
+  ASSERT_EQ(limbwave.run({"simulate", "Größe 1.take", "--motion", "wave", "--seconds", "2"}).status, 0);
+  ASSERT_EQ(limbwave.run({"solve", "Größe 1.take", "--name", "zweiter Versuch ä"}).status, 0);
+  for (const char* output : {"Über den Zaun.bvh", "Über den Zaun.GLB", "Über den Zaun.csv"}) {
+    EXPECT_EQ(limbwave.run({"export", "Größe 1.take", "--solve", "zweiter Versuch ä", "-o", output}).status, 0);
+    EXPECT_TRUE(fs::exists(folder / output)) << output;
+  }
+  EXPECT_EQ(limbwave.run({"export", "Über den Zaun.GLB", "-o", "b.BVH"}).status, 0);
+  const auto info = limbwave.run({"info", "Größe 1.take", "--json"});
+  EXPECT_THAT(nlohmann::json::parse(info.output).at("solves"), testing::ElementsAre("zweiter Versuch ä"));
+  EXPECT_EQ(
+      limbwave.run({"evaluate", "Größe 1.take", "--solve", "zweiter Versuch ä", "--json", "Zahlen ö.json"}).status, 0);
+  std::ifstream figures(folder / "Zahlen ö.json");
+  EXPECT_TRUE(nlohmann::json::parse(figures).contains("all"));
+}
+
+TEST_F(CommandLineContract, ReportsAreJsonWhenAsked) {
+  test::write_bytes(folder / "a.wav", stereo_wav(48000));
+  const auto imported = limbwave.run({"import", "a.take", "a.wav", "--json"});
+  EXPECT_EQ(imported.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(imported.output).at("frames"), 48000);
+  const auto verified = limbwave.run({"verify", "a.take", "--json"});
+  EXPECT_EQ(verified.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(verified.output).at("whole"), true);
+  const auto recorded = limbwave.run({"record", "b.take", "--device", "simulator:wave", "--seconds", "0.3", "--json"});
+  EXPECT_EQ(recorded.status, 0);
+  EXPECT_GE(nlohmann::json::parse(recorded.output).at("seconds").get<double>(), 0.3);
+  const auto devices = limbwave.run({"devices", "--json"});
+  EXPECT_TRUE(nlohmann::json::parse(devices.output).contains("devices"));
+}
+
+TEST_F(CommandLineContract, ARecordingThatBreaksOffIsTakenOnlyWhenAsked) {
+  test::write_bytes(folder / "cut.wav", stereo_wav(96000).substr(0, 44 + 4 * 30000));
+  const auto refused = limbwave.run({"import", "a.take", "cut.wav"});
+  EXPECT_EQ(refused.status, 1);
+  expect_one_line(refused);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("cut off"), HasSubstr("--accept-truncated")));
+  EXPECT_FALSE(fs::exists(folder / "a.take"));
+  const auto taken = limbwave.run({"import", "a.take", "cut.wav", "--accept-truncated"});
+  EXPECT_EQ(taken.status, 0) << taken.errors;
+  EXPECT_THAT(taken.errors, HasSubstr("promises 2.0 s, but 0.6 s are there"));
+  const auto info = nlohmann::json::parse(limbwave.run({"info", "a.take", "--json"}).output);
+  EXPECT_EQ(info.at("frames"), 30000);
+  EXPECT_EQ(info.at("events").size(), 1U) << "the take remembers";
+}
+
+TEST_F(CommandLineContract, ChangedSamplesAreFound) {
+  test::write_bytes(folder / "a.wav", stereo_wav(48000));
+  ASSERT_EQ(limbwave.run({"import", "a.take", "a.wav"}).status, 0);
+  EXPECT_EQ(limbwave.run({"verify", "a.take"}).status, 0);
+  std::string bytes = test::read_bytes(folder / "a.take/signal.wav");
+  bytes[bytes.size() / 2] = '\x12';
+  test::write_bytes(folder / "a.take/signal.wav", bytes);
+  const auto verified = limbwave.run({"verify", "a.take"});
+  EXPECT_EQ(verified.status, 1);
+  EXPECT_THAT(verified.errors, HasSubstr("the samples are not those that were recorded"));
+}
+
+TEST_F(CommandLineContract, WrongUseIsTwoAndNamesTheCommandsHelp) {
+  const std::vector<std::vector<std::string>> wrong{{},
+                                                    {"frobnicate"},
+                                                    {"solve"},
+                                                    {"solve", "a.take", "--method", "magic"},
+                                                    {"solve", "a.take", "b.take"},
+                                                    {"record", "a.take", "--rate", "fast"},
+                                                    {"calibrate"},
+                                                    {"export", "a.take"}};
+  for (const std::vector<std::string>& arguments : wrong) {
+    const auto outcome = limbwave.run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    expect_one_line(outcome);
+    const bool known = !arguments.empty() && arguments[0] != "frobnicate";
+    EXPECT_THAT(outcome.errors, HasSubstr(known ? "see limbwave " + arguments[0] + " --help" : "see limbwave --help"));
+    EXPECT_THAT(names_in(folder.path()), testing::IsEmpty());
+  }
+}
+
+TEST_F(CommandLineContract, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
+  test::write_bytes(folder / "a.wav", stereo_wav(48000));
+  ASSERT_EQ(limbwave.run({"import", "a.take", "a.wav"}).status, 0);
+  test::write_bytes(folder / "file", "no folder");  // also root cannot make anything below a file
+  const std::vector<std::vector<std::string>> commands{
+      {"import", "file/b.take", "a.wav"},
+      {"simulate", "file/b.take", "--motion", "wave", "--seconds", "1"},
+      {"record", "file/b.take", "--device", "simulator:wave", "--seconds", "1"},
+      {"solve", "missing.take"},
+      {"export", "a.take", "-o", "b.bvh"},  // it has no solve
+      {"export", "a.take", "-o", "b.doc"},
+      {"info", "file"},
+      {"verify", "missing.take"},
+      {"recover", "file"},
+      {"evaluate", "a.take"},
+      {"calibrate", "range", "missing.take"}};
+  for (const std::vector<std::string>& arguments : commands) {
+    const auto outcome = limbwave.run(arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments[0] << " " << arguments[1];
+    expect_one_line(outcome);
+    EXPECT_THAT(names_in(folder.path()), testing::IsSubsetOf({"a.take", "a.wav", "file", "home"}));
+  }
+}
+
+TEST_F(CommandLineContract, OutputThatCannotBeWrittenIsAFailure) {
+  test::write_bytes(folder / "a.wav", stereo_wav(4800));
+  ASSERT_EQ(limbwave.run({"import", "a.take", "a.wav"}).status, 0);
+  if (!fs::exists("/dev/full")) {
+    GTEST_SKIP() << "no /dev/full";
+  }
+  const auto outcome = limbwave.run({"info", "a.take"}, "/dev/full");
+  EXPECT_EQ(outcome.status, 1);
+  expect_one_line(outcome);
+}
+
+TEST_F(CommandLineContract, InterruptedWorkLeavesNothing) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = limbwave.start({"simulate", "long.take", "--motion", "walk", "--seconds", "36000"});
+    ASSERT_GT(child, 0);
+    while (names_in(folder.path()).empty()) {  // until it has begun to write; the test's time limit ends it otherwise
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_EQ(::kill(child, signal), 0);
+    const auto outcome = limbwave.wait(child);
+    EXPECT_EQ(outcome.status, 130);
+    expect_one_line(outcome);
+    EXPECT_THAT(names_in(folder.path()), testing::IsEmpty());
+  }
+}
+
+TEST_F(CommandLineContract, EveryCommandHasHelpWithAnExample) {
+  const std::vector<std::vector<std::string>> commands{{"devices"},
+                                                       {"record"},
+                                                       {"import"},
+                                                       {"calibrate"},
+                                                       {"calibrate", "range"},
+                                                       {"calibrate", "limb"},
+                                                       {"solve"},
+                                                       {"export"},
+                                                       {"simulate"},
+                                                       {"evaluate"},
+                                                       {"info"},
+                                                       {"verify"},
+                                                       {"recover"}};
+  for (std::vector<std::string> arguments : commands) {
+    arguments.emplace_back("--help");
+    const auto help = limbwave.run(arguments);
+    EXPECT_EQ(help.status, 0) << arguments[0];
+    EXPECT_THAT(help.output, HasSubstr("Example: limbwave " + arguments[0])) << arguments[0];
+    EXPECT_EQ(help.errors, "");
+  }
+}
+
+}  // namespace
+}  // namespace limbwave
