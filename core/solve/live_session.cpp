@@ -13,6 +13,7 @@
 
 #include "solve/front_end.h"
 #include "solve/live_pose.h"
+#include "take/markers.h"
 #include "take/recorder.h"
 
 namespace limbwave::solve {
@@ -54,8 +55,9 @@ struct LiveSession::Impl {
   // Shared with callers, under `mutex`.
   std::mutex mutex;
   std::unique_ptr<take::Recorder> recorder;
-  std::int64_t recording_start = 0;  // stream frame of the take's sample 0
-  std::vector<std::string> pending_marks;
+  std::int64_t recording_start = 0;             // stream frame of the take's sample 0
+  std::vector<take::TakeEvent> pending_events;  // of the user; the worker writes them, so that no caller waits
+  std::int64_t next_marker = 1;
   std::optional<calibrate::RigCalibration> new_calibration;
   std::optional<std::vector<std::vector<HeadingKey>>> new_headings;
   std::string recording_error;
@@ -89,6 +91,7 @@ struct LiveSession::Impl {
   void run();
   bool step(std::vector<std::byte>& bytes, std::vector<float>& samples);
   void record(std::span<const std::byte> bytes);
+  void write_pending_events();
   void note(const Diagnostics& found);
   void note_losses();
   void solve_frames();
@@ -109,6 +112,7 @@ void LiveSession::Impl::run() {
     }
     while (step(bytes, samples)) {
     }
+    write_pending_events();  // Also of a device that gives nothing any more.
     if (was_alive && !source->alive()) {
       was_alive = false;
       note({{Severity::kError, "source.gone", fmt::format("{} has stopped giving samples", source->title()),
@@ -161,8 +165,14 @@ void LiveSession::Impl::record(std::span<const std::byte> bytes) {
       recording_error = status.error().text();
     }
   }
-  for (const std::string& text : std::exchange(pending_marks, {})) {
-    (void)recorder->add_event({SampleIndex{recorder->frames()}, "marker", text, 0});
+}
+
+void LiveSession::Impl::write_pending_events() {
+  const std::scoped_lock lock(mutex);
+  for (const take::TakeEvent& event : std::exchange(pending_events, {})) {
+    if (recorder) {
+      (void)recorder->add_event(event);
+    }
   }
 }
 
@@ -340,13 +350,15 @@ Status LiveSession::start_recording(const std::filesystem::path& folder, const s
   impl_->recorder = std::move(*recorder);
   impl_->recording_start = -1;
   impl_->recording_error.clear();
-  impl_->pending_marks.clear();
+  impl_->pending_events.clear();
+  impl_->next_marker = 1;
   impl_->take_folder = folder;
   return {};
 }
 
 Result<take::Take> LiveSession::stop_recording() {
   std::unique_ptr<take::Recorder> recorder;
+  impl_->write_pending_events();
   {
     const std::scoped_lock lock(impl_->mutex);
     recorder = std::move(impl_->recorder);
@@ -357,11 +369,23 @@ Result<take::Take> LiveSession::stop_recording() {
   return recorder->close();
 }
 
-void LiveSession::mark(const std::string& text) {
+std::optional<take::TakeEvent> LiveSession::mark(const std::string& text) {
   const std::scoped_lock lock(impl_->mutex);
-  if (impl_->recorder) {
-    impl_->pending_marks.push_back(text);
+  if (!impl_->recorder) {
+    return std::nullopt;
   }
+  const take::TakeEvent event{SampleIndex{impl_->recorder->frames()}, take::kMarker, text, impl_->next_marker++};
+  impl_->pending_events.push_back(event);
+  return event;
+}
+
+bool LiveSession::write_event(const take::TakeEvent& event) {
+  const std::scoped_lock lock(impl_->mutex);
+  if (!impl_->recorder) {
+    return false;
+  }
+  impl_->pending_events.push_back(event);
+  return true;
 }
 
 void LiveSession::set_calibration(const calibrate::RigCalibration& calibration) {
