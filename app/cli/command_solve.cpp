@@ -12,7 +12,7 @@ namespace limbwave::cli {
 
 void add_solve(CLI::App& app, Console& console) {
   struct Options {
-    std::string take, sensors = "A", method = "inclination", root = "fixed", smoothing = "bridging";
+    std::string take, sensors = "A", method = "inclination", root = "fixed", smoothing = "adaptive";
     solve::SolveSettings settings;
     std::string left = "auto", right = "auto";
     double coupling = -1.0;
@@ -57,7 +57,7 @@ void add_solve(CLI::App& app, Console& console) {
   command->add_option("--json", options->json, "Write the quality report as JSON to this file; -: standard output")
       ->expected(0, 1)
       ->default_str("-");
-  command->footer("Example: limbwave solve reach.take --smoothing bridging --name final");
+  command->footer("Example: limbwave solve reach.take --smoothing adaptive --name final");
   command->callback([options, command, &console] {
     solve::SolveSettings settings = options->settings;
     settings.smoothing = options->smoothing == "none"       ? solve::Smoothing::kNone

@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 /// How inclinations are smoothed.
 enum class Smoothing {
   kNone,      ///< Every reading by itself (the paper's equation 2).
-  kAdaptive,  ///< Low pass that is the slower the less a reading is to be trusted; without lag offline.
-  kBridging,  ///< Also bridges bursts of limb acceleration, by a model of turning and of acceleration. Default.
+  kAdaptive,  ///< Low pass that is the slower the less a reading is to be trusted; without lag offline. Default.
+  kBridging,  ///< Also bridges bursts of limb acceleration, by a model of turning and of acceleration.
 };
 
 /// One calibrated reading: f_L = R_LS · SensorCalibration::apply(volts).

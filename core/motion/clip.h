@@ -1,38 +1,23 @@
-/// A clip: keyframed tracks on a skeleton.
+/// A clip: keyframed tracks on a skeleton, with the meshes that it moves.
 #pragma once
 
-#include <Eigen/Geometry>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "body/skeleton.h"
+#include "motion/skinned_mesh.h"
+#include "motion/track.h"
 
 namespace limbwave::motion {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
-/// How a track goes from one key to the next. Step holds the earlier key. Linear goes straight, rotations spherically.
-/// Cubic passes every key with the mean velocity of its two neighbours (Catmull-Rom; rotations in cumulative Bézier
-/// form, Kim, Kim & Shin 1995).
-enum class Interpolation { kStep, kLinear, kCubic };
-
-/// Keys of one quantity, times strictly increasing, seconds since the start of the clip.
-template <typename T>
-struct Track {
-  std::vector<double> times;
-  std::vector<T> values;
-  Interpolation interpolation = Interpolation::kLinear;
-  [[nodiscard]] bool empty() const { return times.empty(); }
-};
-
-using RotationTrack = Track<Quaterniond>;
-using PositionTrack = Track<Vector3d>;
-
-/// One animated segment: rotation relative to its parent including rest (R_PL; root: R_WL), empty = rest.
+/// One animated segment; empty tracks are at rest.
 struct JointTracks {
-  RotationTrack rotation;
+  RotationTrack rotation;  ///< Relative to its parent, including rest (R_PL; root: R_WL).
+  /// The joint's place in its parent's frame (p_PL), metres: bones that stretch or slide in imported animation. Always
+  /// empty for the root, whose place is `Clip::root_position`.
+  PositionTrack position = {};
 };
 
 struct Clip {
@@ -41,14 +26,11 @@ struct Clip {
   double frame_rate_hz = 60.0;      ///< Declared in files; keys need not lie on frames.
   std::vector<JointTracks> joints;  ///< One per segment.
   PositionTrack root_position;      ///< p_W of the root joint, metres; empty = at the root's offset.
+  /// What the skeleton moves; shared, so that copies of a clip stay cheap.
+  std::vector<std::shared_ptr<const SkinnedMesh>> meshes;
 
   [[nodiscard]] double duration() const;  ///< Time of the last key, seconds; 0 without keys.
 };
-
-/// Value of a track at a time, held before the first and after the last key. Rotations: spherical linear along the
-/// shorter way. Asserts that the track is not empty.
-Quaterniond sample(const RotationTrack& track, double time_s);
-Vector3d sample(const PositionTrack& track, double time_s);
 
 /// World poses of all segments at a time.
 std::vector<body::SegmentPose> pose_at(const Clip& clip, double time_s);

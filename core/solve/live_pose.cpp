@@ -1,7 +1,7 @@
 #include "solve/live_pose.h"
 
 #include "solve/compose.h"
-#include "solve/front_end.h"
+#include "solve/limb_forces.h"
 
 namespace limbwave::solve {
 
@@ -26,9 +26,7 @@ void LivePose::push(const decode::AccelerationFrame& frame) {
       continue;
     }
     const auto segment = static_cast<std::size_t>(segments_[s]);
-    const estimate::ForceSample sample{frame.time_s,
-                                       calibration_.mounts[s].R_LS * calibration_.sensors[s].apply(frame.volts[s]),
-                                       (frame.usable >> s & 1U) != 0 && !saturated(signal_, frame.volts[s])};
+    const estimate::ForceSample sample = limb_force(frame, s, signal_, calibration_);
     const estimate::Inclination inclination = trackers_[s].push(sample);
     if (inclination.known) {
       R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, R_WL_[segment]);

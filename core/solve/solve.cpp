@@ -10,26 +10,13 @@
 #include "calibrate/gain_check.h"
 #include "solve/compose.h"
 #include "solve/decoded_take.h"
-#include "solve/front_end.h"
+#include "solve/limb_forces.h"
 #include "solve/take_calibration.h"
 
 namespace limbwave::solve {
 namespace {
 
 using Frames = std::span<const decode::AccelerationFrame>;
-
-// Calibrated readings of one sensor in its limb's frame.
-std::vector<estimate::ForceSample> forces(Frames frames, std::size_t sensor, const body::LineInSignal& signal,
-                                          const calibrate::RigCalibration& calibration) {
-  std::vector<estimate::ForceSample> samples;
-  samples.reserve(frames.size());
-  for (const decode::AccelerationFrame& frame : frames) {
-    samples.push_back({frame.time_s,
-                       calibration.mounts[sensor].R_LS * calibration.sensors[sensor].apply(frame.volts[sensor]),
-                       (frame.usable >> sensor & 1U) != 0 && !saturated(signal, frame.volts[sensor])});
-  }
-  return samples;
-}
 
 // Undoes a volume or balance that is not the one of the day of calibration, where gravity at rest shows it.
 void correct_gain(Frames frames, calibrate::RigCalibration& calibration, Diagnostics& diagnostics) {
@@ -124,7 +111,8 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
     if (segments[s] < 0) {
       continue;
     }
-    const std::vector<estimate::ForceSample> samples = forces(frames, s, take.info.rig.line_in, chosen->calibration);
+    const std::vector<estimate::ForceSample> samples =
+        limb_forces(frames, s, take.info.rig.line_in, chosen->calibration);
     const std::vector<estimate::Inclination> inclinations =
         estimate::estimate_inclinations(samples, settings.smoothing, parameters);
     inclined[static_cast<std::size_t>(segments[s])] = estimate::orientations(inclinations);

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sndfile.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,7 @@
 #include <thread>
 
 #include "support/audio_files.h"
+#include "support/jack_server.h"
 #include "support/pulse_server.h"
 
 namespace limbwave::acquire {
@@ -183,14 +183,11 @@ TEST_F(PulseCard, WithoutAServerSaysSo) {
 }
 
 TEST(JackCard, GivesTwentyChannelsAt192kHz) {
-  if (!test::is_installed("jackd")) {
-    GTEST_SKIP() << "jackd is not installed";
+  std::string why_not;
+  if (!test::JackServer::available(why_not)) {
+    GTEST_SKIP() << why_not;
   }
-  const test::TemporaryFolder folder;
-  const std::string name = "limbwave-test-" + std::to_string(::getpid());
-  const test::ScopedEnvironment environment({{"JACK_DEFAULT_SERVER", name}, {"JACK_NO_AUDIO_RESERVATION", "1"}});
-  test::ChildProcess server({"jackd", "-n", name, "-r", "-d", "dummy", "-r", "192000", "-p", "1024", "-C", "20"}, {},
-                            folder / "jack.log");
+  test::JackServer server(192000, 20);
   const StreamFormat wanted{SampleRate{192000.0}, 20, SampleType::kFloat32};
   Result<std::unique_ptr<LiveSource>> card = Error{"not tried yet", "", ""};
   const auto limit = steady_clock::now() + kPatience;
@@ -198,7 +195,7 @@ TEST(JackCard, GivesTwentyChannelsAt192kHz) {
     card = open_sound_card("portaudio:JACK:system", wanted);
     std::this_thread::sleep_for(milliseconds(100));
   }
-  ASSERT_TRUE(card.ok()) << card.error().text() << "\n" << test::read_bytes(folder / "jack.log");
+  ASSERT_TRUE(card.ok()) << card.error().text() << "\n" << server.log();
   EXPECT_THAT(open_sound_card("portaudio:JACK:system", {SampleRate{192000.0}, 2, SampleType::kInt16}).error().text(),
               HasSubstr("does not give int16 samples; it offers float32"));
   EXPECT_THAT(open_sound_card("portaudio:JACK:system", {SampleRate{44100.0}, 2, SampleType::kFloat32}).error().text(),

@@ -6,11 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace limbwave::test {
 
@@ -101,6 +103,17 @@ void ChildProcess::kill() {
     ::kill(id_, SIGKILL);
     wait();
   }
+}
+
+void ChildProcess::terminate() {
+  constexpr int kTries = 1000;
+  if (running()) {
+    ::kill(id_, SIGTERM);
+  }
+  for (int i = 0; i < kTries && running(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill();
 }
 
 ScopedEnvironment::ScopedEnvironment(const std::map<std::string, std::string>& variables) {

@@ -28,8 +28,10 @@ class ChildProcess {
   bool running();
   /// Waits for its end and returns its exit code, 128 + signal when a signal ended it.
   int wait();
-  /// Sends a signal, waits for the end.
+  /// Kills it and waits for its end.
   void kill();
+  /// Asks it to end and waits for that, some seconds at most: then it is killed. For programs that clean up.
+  void terminate();
 
  private:
   void note_end(int status);

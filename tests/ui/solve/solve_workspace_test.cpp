@@ -273,7 +273,7 @@ class SolveWorkspaceTest : public QObject {
     studio_->context->undo_stack().undo();
     QTRY_COMPARE(solving_->solved.load(), 3);
     QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QCOMPARE(model().solve()->settings.smoothing, solve::Smoothing::kBridging);
+    QCOMPARE(model().solve()->settings.smoothing, solve::SolveSettings{}.smoothing);
     auto* strength = find<QSpinBox>(QStringLiteral("Time scale of the smoothing in milliseconds"));
     strength->setValue(200);
     QTRY_COMPARE(solving_->solved.load(), 4);

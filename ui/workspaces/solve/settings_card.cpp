@@ -34,7 +34,7 @@ void SettingsCard::build() {
   grid->setColumnStretch(1, 1);
   smoothing_ = new QComboBox(this);
   smoothing_->setAccessibleName(tr("Smoothing"));
-  for (const auto kind : {solve::Smoothing::kBridging, solve::Smoothing::kAdaptive, solve::Smoothing::kNone}) {
+  for (const auto kind : {solve::Smoothing::kAdaptive, solve::Smoothing::kBridging, solve::Smoothing::kNone}) {
     smoothing_->addItem(smoothing_name(kind), static_cast<int>(kind));
     smoothing_->setItemData(smoothing_->count() - 1, smoothing_hint(kind), Qt::ToolTipRole);
   }
