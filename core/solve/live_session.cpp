@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "solve/live_worker.h"
+#include "take/markers.h"
 
 namespace limbwave::solve {
 
@@ -59,13 +60,15 @@ Status LiveSession::start_recording(const std::filesystem::path& folder, const s
   worker_->recorder = std::move(*recorder);
   worker_->recording_start = -1;
   worker_->recording_error.clear();
-  worker_->pending_marks.clear();
+  worker_->pending_events.clear();
+  worker_->next_marker = 1;
   worker_->take_folder = folder;
   return {};
 }
 
 Result<take::Take> LiveSession::stop_recording() {
   std::unique_ptr<take::Recorder> recorder;
+  worker_->write_pending_events();
   {
     const std::scoped_lock lock(worker_->mutex);
     recorder = std::move(worker_->recorder);
@@ -76,11 +79,23 @@ Result<take::Take> LiveSession::stop_recording() {
   return recorder->close();
 }
 
-void LiveSession::mark(const std::string& text) {
+std::optional<take::TakeEvent> LiveSession::mark(const std::string& text) {
   const std::scoped_lock lock(worker_->mutex);
-  if (worker_->recorder) {
-    worker_->pending_marks.push_back(text);
+  if (!worker_->recorder) {
+    return std::nullopt;
   }
+  const take::TakeEvent event{SampleIndex{worker_->recorder->frames()}, take::kMarker, text, worker_->next_marker++};
+  worker_->pending_events.push_back(event);
+  return event;
+}
+
+bool LiveSession::write_event(const take::TakeEvent& event) {
+  const std::scoped_lock lock(worker_->mutex);
+  if (!worker_->recorder) {
+    return false;
+  }
+  worker_->pending_events.push_back(event);
+  return true;
 }
 
 void LiveSession::set_calibration(const calibrate::RigCalibration& calibration) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,8 +81,11 @@ class LiveSession {
   Status start_recording(const std::filesystem::path& folder, const std::string& subject);
   /// Ends the recording; the take is complete on disk when this returns.
   Result<take::Take> stop_recording();
-  /// Sets a marker at the newest sample of the recording.
-  void mark(const std::string& text);
+  /// Sets a marker at the newest sample of the recording and gives it a number; empty when nothing is recorded.
+  std::optional<take::TakeEvent> mark(const std::string& text);
+  /// Writes a line of the recording's events: another state of a marker, or its removal (take/markers.h). False when
+  /// nothing is recorded.
+  bool write_event(const take::TakeEvent& event);
 
   /// Takes effect from the next frame on.
   void set_calibration(const calibrate::RigCalibration& calibration);

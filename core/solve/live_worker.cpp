@@ -50,6 +50,7 @@ void LiveWorker::run() {
     source->wait(kLongestWait_s);
     while (step()) {
     }
+    write_pending_events();  // also of a device that gives nothing any more
     if (was_alive && !source->alive()) {
       was_alive = false;
       note({{Severity::kError, "source.gone", fmt::format("{} has stopped giving samples", source->title()),
@@ -108,8 +109,14 @@ void LiveWorker::record(std::span<const std::byte> bytes) {
       recording_error = status.error().text();
     }
   }
-  for (const std::string& text : std::exchange(pending_marks, {})) {
-    (void)recorder->add_event({SampleIndex{recorder->frames()}, "marker", text, 0});
+}
+
+void LiveWorker::write_pending_events() {
+  const std::scoped_lock lock(mutex);
+  for (const take::TakeEvent& event : std::exchange(pending_events, {})) {
+    if (recorder) {
+      (void)recorder->add_event(event);
+    }
   }
 }
 

@@ -25,6 +25,8 @@ struct LiveWorker {
   LiveWorker(std::unique_ptr<acquire::LiveSource> live_source, LiveSettings live_settings);
 
   void run();
+  /// Writes what callers have put into `pending_events`.
+  void write_pending_events();
 
   std::unique_ptr<acquire::LiveSource> source;
   LiveSettings settings;
@@ -37,7 +39,8 @@ struct LiveWorker {
   std::mutex mutex;
   std::unique_ptr<take::Recorder> recorder;
   std::int64_t recording_start = 0;  // stream frame of the take's sample 0
-  std::vector<std::string> pending_marks;
+  std::vector<take::TakeEvent> pending_events;  // of the user; the worker writes them, so that no caller waits
+  std::int64_t next_marker = 1;
   std::optional<calibrate::RigCalibration> new_calibration;
   std::optional<std::vector<std::vector<HeadingKey>>> new_headings;
   std::string recording_error;

@@ -11,6 +11,7 @@
 
 #include "base/files.h"
 #include "base/json_reader.h"
+#include "take/markers.h"
 #include "take/signal_file.h"
 #include "take/take_json.h"
 
@@ -76,7 +77,8 @@ Result<TakeInfo> read_info(const Take& take, Diagnostics& findings) {
   return info;
 }
 
-std::vector<TakeEvent> read_events(const fs::path& path, Diagnostics& findings) {
+// One event per line that can be read; of lines that cannot, an empty one, so that lines keep their numbers.
+std::vector<TakeEvent> read_event_lines(const fs::path& path, Diagnostics& findings) {
   std::vector<TakeEvent> events;
   std::error_code code;
   if (!fs::exists(path, code)) {
@@ -93,8 +95,9 @@ std::vector<TakeEvent> read_events(const fs::path& path, Diagnostics& findings) 
     const std::string_view line = std::string_view(*text).substr(begin, end - begin);
     const std::string place = fmt::format("{}:{}", path.string(), number);
     Result<TakeEvent> event = event_from_line(line, place);
+    events.push_back(event ? *event : TakeEvent{});
     if (event) {
-      events.push_back(*std::move(event));
+      // Taken above.
     } else if (end == std::string::npos) {
       findings.push_back(finding(Severity::kInfo, "take.event-cut-off", "the last event was cut off", place));
     } else {
@@ -167,7 +170,8 @@ Result<Take> open_take(const fs::path& folder) {
     return signal.error();
   }
   settle_frames(take, *signal);
-  take.events = read_events(folder / "events.jsonl", take.diagnostics);
+  take.events = events_in_force(read_event_lines(folder / "events.jsonl", take.diagnostics));
+  std::erase_if(take.events, [](const TakeEvent& event) { return event.kind.empty(); });
   return take;
 }
 

@@ -25,12 +25,12 @@ struct TakeSegment {
   SampleCount count;
 };
 
-/// One line of events.jsonl.
+/// What happened at a sample; one line of events.jsonl.
 struct TakeEvent {
   SampleIndex sample;
   std::string kind;        ///< "marker", "dropped", "clipping", "sync-lost", "gain-changed" ...
   std::string text;        ///< For people.
-  std::int64_t count = 0;  ///< How many samples, cycles ..., where it has a meaning.
+  std::int64_t count = 0;  ///< How many samples, cycles ..., where it has a meaning; of a marker its number.
 };
 
 /// take.json.
@@ -58,8 +58,8 @@ struct TakeInfo {
 struct Take {
   std::filesystem::path folder;
   TakeInfo info;
-  std::vector<TakeEvent> events;
-  Diagnostics diagnostics;  ///< What opening noticed: not closed properly, short, ...
+  std::vector<TakeEvent> events;  ///< In force: markers as they were changed last (take/markers.h).
+  Diagnostics diagnostics;        ///< What opening noticed: not closed properly, short, ...
 
   [[nodiscard]] std::filesystem::path signal_path() const { return folder / "signal.wav"; }
 };

@@ -75,7 +75,7 @@ void fill(std::vector<std::byte>& block, std::int64_t first) {
     shared->handed_in += kBlockFrames;
     const bool written = (*recorder)->write(block).ok();
     const bool noted = frames / kBlockFrames % 3 != 0 ||
-                       (*recorder)->add_event({SampleIndex{frames}, "marker", "a marker", frames}).ok();
+                       (*recorder)->add_event({SampleIndex{frames}, "marker", "a marker", frames + 1}).ok();
     const bool saved = frames / kBlockFrames % 40 != 39 ||
                        (*recorder)->add_segment({"segment", SampleIndex{frames}, SampleCount{kBlockFrames}}).ok();
     if (!written || !noted || !saved) {
@@ -127,7 +127,7 @@ void kill_after(microseconds life, microseconds pace) {
   EXPECT_LE(take->info.frames, shared->handed_in);
   check_samples(*take);
   for (const TakeEvent& event : take->events) {
-    EXPECT_EQ(event.count, event.sample.value);
+    EXPECT_EQ(event.count, event.sample.value + 1);
   }
 
   const Result<Diagnostics> done = recover_take(path);

@@ -98,8 +98,8 @@ class ScreenshotsTest : public QObject {
     capture->model().start_recording();
     QTRY_VERIFY(studio.context->live().recording());
     QTest::qWait(600);
-    capture->model().mark();
-    capture->model().mark(QStringLiteral("she turns around and walks back to the door"));
+    studio.context->markers().mark_now();
+    studio.context->markers().mark_now(QStringLiteral("she turns around and walks back to the door"));
     shoot(*studio.window, QStringLiteral("capture-recording"));
   }
 

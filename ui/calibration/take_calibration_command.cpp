@@ -25,14 +25,8 @@ void TakeCalibrationCommand::set(const std::optional<calibrate::RigCalibration>&
   take::Take take = *context_.document().take();
   take.info.calibration = calibration;
   context_.document().set(take);
-  context_.jobs().start(
-      Words::tr("Saving the take"), &context_,
-      [take = std::move(take)](const Progress&) { return take::save_info(take); },
-      [&context = context_](const Status& status) {
-        if (!status) {
-          context.notifications().post_error(Words::tr("The calibration is not saved in the take"), status.error());
-        }
-      });
+  context_.saves().add(Words::tr("The calibration is not saved in the take"),
+                       [take = std::move(take)] { return take::save_info(take); });
 }
 
 }  // namespace limbwave::ui

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "acquire/channel_pair.h"
 #include "acquire/sound_card.h"
 #include "body/rig.h"
 #include "body/skeleton.h"
@@ -32,7 +33,8 @@ class SessionBackend : public LiveBackend {
     return session_.start_recording(folder, subject);
   }
   Result<take::Take> stop_recording() override { return session_.stop_recording(); }
-  void mark(const std::string& text) override { session_.mark(text); }
+  std::optional<take::TakeEvent> mark(const std::string& text) override { return session_.mark(text); }
+  bool write_event(const take::TakeEvent& event) override { return session_.write_event(event); }
   void set_calibration(const calibrate::RigCalibration& calibration) override { session_.set_calibration(calibration); }
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) override {
     session_.set_headings(headings);
@@ -74,7 +76,9 @@ Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
     simulator.title = simulator_title(motion);
     simulator.channels = 2;
     simulator.default_rate_hz = kSimulatorRate;
-    simulator.rates_hz = {44100.0, kSimulatorRate, 96000.0, 192000.0};
+    simulator.rates_hz = {44100.0, kSimulatorRate, 88200.0, 96000.0, 176400.0, 192000.0};
+    simulator.types = {acquire::SampleType::kInt16, acquire::SampleType::kInt24, acquire::SampleType::kInt32,
+                       acquire::SampleType::kFloat32};
     all.push_back(std::move(simulator));
   }
   return all;
@@ -93,10 +97,15 @@ Result<simulate::SimulateSettings> simulator_settings(const std::string& motion)
   return settings;
 }
 
-/// The rate closest to `wanted` that the device takes, 48 kHz when nothing is wanted, and its best sample type up to 24
-/// bit: more is noise.
-acquire::StreamFormat choose_format(const std::string& id, double wanted) {
-  acquire::StreamFormat format{SampleRate{wanted > 0.0 ? wanted : 48000.0}, 2, acquire::SampleType::kInt16};
+/// What the setup leaves open: the rate closest to 48 kHz that the device takes, and its best sample type up to 24 bit;
+/// more is noise.
+acquire::StreamFormat choose_format(const std::string& id, const DeviceSetup& setup) {
+  acquire::StreamFormat format{SampleRate{setup.rate_hz > 0.0 ? setup.rate_hz : 48000.0},
+                               std::max({2, setup.left + 1, setup.right + 1}),
+                               setup.type.value_or(acquire::SampleType::kInt16)};
+  if (setup.rate_hz > 0.0 && setup.type) {
+    return format;
+  }
   const auto devices = acquire::list_devices();
   if (!devices) {
     return format;
@@ -105,14 +114,15 @@ acquire::StreamFormat choose_format(const std::string& id, double wanted) {
     if (device.id != id) {
       continue;
     }
-    const double target = wanted > 0.0 ? wanted : 48000.0;
-    const auto nearest = std::min_element(device.rates_hz.begin(), device.rates_hz.end(), [target](double a, double b) {
-      return std::abs(a - target) < std::abs(b - target);
+    const auto nearest = std::min_element(device.rates_hz.begin(), device.rates_hz.end(), [](double a, double b) {
+      return std::abs(a - 48000.0) < std::abs(b - 48000.0);
     });
-    format.rate.hz = nearest != device.rates_hz.end() ? *nearest : target;
+    if (setup.rate_hz <= 0.0 && nearest != device.rates_hz.end()) {
+      format.rate.hz = *nearest;
+    }
     for (const auto type : {acquire::SampleType::kInt24, acquire::SampleType::kInt16, acquire::SampleType::kInt32,
                             acquire::SampleType::kFloat32}) {
-      if (std::find(device.types.begin(), device.types.end(), type) != device.types.end()) {
+      if (!setup.type && std::find(device.types.begin(), device.types.end(), type) != device.types.end()) {
         format.type = type;
         break;
       }
@@ -121,11 +131,12 @@ acquire::StreamFormat choose_format(const std::string& id, double wanted) {
   return format;
 }
 
-Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& id, const acquire::StreamFormat& wanted,
+Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& id, const DeviceSetup& setup,
                                                              const std::string& rig) {
   const std::string prefix = kSimulatorPrefix;
   if (id.rfind(prefix, 0) != 0) {
-    return acquire::open_sound_card(id, choose_format(id, wanted.rate.hz));
+    auto card = acquire::open_sound_card(id, choose_format(id, setup));
+    return card ? acquire::pick_channels(std::move(card).value(), setup.left, setup.right) : std::move(card);
   }
   auto settings = simulator_settings(id.substr(prefix.size()));
   if (!settings) {
@@ -134,10 +145,21 @@ Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& 
   settings->rig = rig;
   // The take's own calibration poses are for demo takes; a live device moves at once.
   settings->prologue = false;
-  if (wanted.rate.hz > 0.0) {
-    settings->format.rate = wanted.rate;
+  if (setup.rate_hz > 0.0) {
+    settings->format.rate.hz = setup.rate_hz;
   }
+  settings->format.type = setup.type.value_or(settings->format.type);
   return simulate::open_simulator(settings.value());
+}
+
+/// Shipped rigs by title. One that cannot be read is named by its file, so that choosing it tells why.
+std::vector<RigChoice> list_rigs() {
+  std::vector<RigChoice> rigs;
+  for (const std::string& name : body::shipped_rigs()) {
+    const auto rig = body::load_rig(name);
+    rigs.push_back({name, rig && !rig->title.empty() ? rig->title : name});
+  }
+  return rigs;
 }
 
 Result<solve::LiveSettings> load_rig_for(const std::string& rig, const std::string& subject) {
@@ -166,7 +188,7 @@ StudioServices core_services() {
     return std::unique_ptr<LiveBackend>(std::make_unique<SessionBackend>(std::move(source), std::move(settings)));
   };
   services.demo_motions = demo_motions;
-  services.list_rigs = [] { return body::shipped_rigs(); };
+  services.list_rigs = list_rigs;
   services.load_rig = load_rig_for;
   services.open_take = [](const std::filesystem::path& folder) { return take::open_take(folder); };
   services.import_recording = [](const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,

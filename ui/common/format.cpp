@@ -31,6 +31,29 @@ QString format_clock_tenths(double seconds) {
   return QStringLiteral("%1%2%3").arg(format_clock(safe), QLocale().decimalPoint()).arg(tenth);
 }
 
+QString format_clock_hundredths(double seconds) {
+  const double safe = std::isfinite(seconds) ? std::max(0.0, seconds) : 0.0;
+  const auto total = std::llround(safe * 100.0);
+  return QStringLiteral("%1%2%3")
+      .arg(format_clock(static_cast<double>(total / 100)), QLocale().decimalPoint())
+      .arg(total % 100, 2, 10, QLatin1Char('0'));
+}
+
+std::optional<double> parse_clock(const QString& text) {
+  const QStringList parts = text.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).split(QLatin1Char(':'));
+  double seconds = 0.0;
+  for (qsizetype i = 0; i < parts.size(); ++i) {
+    bool ok = false;
+    const bool last = i + 1 == parts.size();
+    const double value = last ? QLocale::c().toDouble(parts[i], &ok) : parts[i].toUInt(&ok);
+    if (!ok || !std::isfinite(value) || value < 0.0 || (i > 0 && value >= 60.0)) {
+      return std::nullopt;
+    }
+    seconds = 60.0 * seconds + value;
+  }
+  return parts.size() <= 3 ? std::optional(seconds) : std::nullopt;
+}
+
 QString format_left(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0.0) {
     return {};

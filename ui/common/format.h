@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "decode/line_in.h"
 
@@ -11,6 +12,10 @@ namespace limbwave::ui {
 QString format_clock(double seconds);
 /// With tenths: "0:07.3". For running times.
 QString format_clock_tenths(double seconds);
+/// With hundredths: "0:07.32". For times that people edit.
+QString format_clock_hundredths(double seconds);
+/// Seconds from what people type as a time: "7.3", "0:07.3", "1:02:03"; decimal point or comma. Empty: it is none.
+std::optional<double> parse_clock(const QString& text);
 /// Roughly, for what is left: "40 s", "5 min", "23 h", "over 9 days".
 QString format_left(double seconds);
 /// "48 kHz", "44.1 kHz"

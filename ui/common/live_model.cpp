@@ -69,7 +69,7 @@ void LiveModel::fail(const Error& error) {
 }
 
 bool LiveModel::open(const QString& device_id, const QString& device_title, const std::string& rig,
-                     const QString& subject, double rate_hz) {
+                     const QString& subject, const DeviceSetup& setup) {
   if (recording_ || starting_ || finishing_ || !services_.open_device || !services_.load_rig || !services_.make_live) {
     return false;
   }
@@ -89,10 +89,8 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   const std::uint64_t attempt = ++opening_;
   using Backend = std::shared_ptr<LiveBackend>;
   auto work = [open_device = services_.open_device, make_live = services_.make_live, id = device_id.toStdString(), rig,
-               rate_hz, live_settings = settings_, bell = bell_](const Progress&) -> Result<Backend> {
-    acquire::StreamFormat format;
-    format.rate = SampleRate{rate_hz};
-    auto source = open_device(id, format, rig);
+               setup, live_settings = settings_, bell = bell_](const Progress&) -> Result<Backend> {
+    auto source = open_device(id, setup, rig);
     if (!source) {
       return source.error();
     }
@@ -183,6 +181,7 @@ bool LiveModel::start_recording(const std::filesystem::path& folder, const QStri
   }
   starting_ = true;
   aside_ = aside;
+  recording_folder_ = folder;
   jobs_.start(
       tr("Making the take"), this,
       [backend = backend_, folder, name = subject.toStdString()](const Progress&) {
@@ -229,11 +228,12 @@ void LiveModel::end_recording() {
       });
 }
 
-void LiveModel::mark(const QString& text) {
-  if (backend_ && recording_) {
-    backend_->mark(text.toStdString());
-    Q_EMIT marked(text);
-  }
+std::optional<take::TakeEvent> LiveModel::mark(const QString& text) {
+  return backend_ && recording_ ? backend_->mark(text.toStdString()) : std::nullopt;
+}
+
+bool LiveModel::write_event(const take::TakeEvent& event) {
+  return backend_ && recording_ && backend_->write_event(event);
 }
 
 void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {

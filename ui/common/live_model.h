@@ -26,6 +26,10 @@ class LiveModel : public QObject {
   [[nodiscard]] bool recording() const { return recording_; }
   /// True between "Record" and the moment at which the take's folder is there.
   [[nodiscard]] bool starting() const { return starting_; }
+  /// It records the raw signals of a calibration, not a take of the user's.
+  [[nodiscard]] bool aside() const { return aside_; }
+  /// Of the running or the last recording.
+  [[nodiscard]] const std::filesystem::path& recording_folder() const { return recording_folder_; }
   /// True between "Stop" and the moment at which the take is complete on disk.
   [[nodiscard]] bool finishing() const { return finishing_; }
   /// The newest pose as of now; null while there is none. For the face that draws it: `figure_ready` says when.
@@ -40,9 +44,9 @@ class LiveModel : public QObject {
   [[nodiscard]] const QString& problem() const { return problem_; }
   [[nodiscard]] const QString& remedy() const { return remedy_; }
 
-  /// Closes what runs and opens this device; `rate_hz` 0 = the device's own. Refused while recording.
+  /// Closes what runs and opens this device. Refused while recording.
   bool open(const QString& device_id, const QString& device_title, const std::string& rig, const QString& subject,
-            double rate_hz = 0.0);
+            const DeviceSetup& setup = {});
   /// Refused while recording.
   void close();
   /// Ends in `recording_changed`, or in `recording_failed` when the folder cannot be made. False when nothing runs or
@@ -52,7 +56,10 @@ class LiveModel : public QObject {
   bool start_recording(const std::filesystem::path& folder, const QString& subject, bool aside = false);
   /// Ends in `recording_finished` (or `aside_finished`) or `recording_failed`.
   void stop_recording();
-  void mark(const QString& text);
+  /// Sets a marker at this moment of the recording; empty when nothing is recorded. Faces go through MarkerModel.
+  std::optional<take::TakeEvent> mark(const QString& text);
+  /// Writes a line of the recording's events; false when nothing is recorded.
+  bool write_event(const take::TakeEvent& event);
   void set_calibration(const calibrate::RigCalibration& calibration);
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings);
 
@@ -67,7 +74,6 @@ class LiveModel : public QObject {
   void snapshot_changed();
   void figure_ready();  ///< At once when a pose is there; several poses that come while the interface is busy are one.
   void recording_changed();
-  void marked(const QString& text);
   void source_lost();  ///< The device is gone; `problem()` says so.
   void recording_finished(const limbwave::take::Take& take);
   void aside_finished(const limbwave::take::Take& take);
@@ -83,6 +89,7 @@ class LiveModel : public QObject {
   JobRunner& jobs_;
   LiveState state_ = LiveState::kOff;
   bool recording_ = false, starting_ = false, finishing_ = false, aside_ = false;
+  std::filesystem::path recording_folder_;
   QString device_id_, device_title_, problem_, remedy_;
   solve::LiveSettings settings_;
   std::shared_ptr<LiveBackend> backend_;

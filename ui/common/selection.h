@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
 
 namespace limbwave::ui {
 
@@ -9,8 +10,9 @@ enum class SelectionKind { kNone, kSensor, kSegment, kHeadingKey, kMarker };
 
 struct SelectedItem {
   SelectionKind kind = SelectionKind::kNone;
-  int index = -1;  ///< Of the sensor in the rig, of the segment in the skeleton, of the marker in the take's events.
-  int key = -1;    ///< For kHeadingKey: the key's index on segment `index`.
+  int index =
+      -1;        ///< Of the sensor in the rig, of the segment in the skeleton; of a marker its number within the take.
+  int key = -1;  ///< For kHeadingKey: the key's index on segment `index`.
   bool operator==(const SelectedItem&) const = default;
 };
 
@@ -27,6 +29,9 @@ class Selection : public QObject {
       Q_EMIT changed(item_);
     }
   }
+  /// Number of the selected marker; 0: none.
+  [[nodiscard]] std::int64_t marker() const { return item_.kind == SelectionKind::kMarker ? item_.index : 0; }
+  void select_marker(std::int64_t number) { select(SelectionKind::kMarker, static_cast<int>(number)); }
   void select(SelectionKind kind, int index) { select(SelectedItem{kind, index, -1}); }
   void clear() { select(SelectedItem{}); }
 

@@ -11,18 +11,23 @@ StudioContext::StudioContext(StudioServices services, const QString& settings_fo
       settings_(QDir(settings_folder).filePath(QStringLiteral("studio.ini")), QSettings::IniFormat),
       recent_takes_(settings_),
       document_(services_, jobs_),
-      live_(services_, jobs_) {
+      live_(services_, jobs_),
+      saves_(jobs_),
+      markers_(document_, live_, saves_, undo_stack_) {
   QDir().mkpath(settings_folder);
   connect(&document_, &TakeDocument::changed, this, [this](bool other) {
     if (other) {
       selection_.clear();
       undo_stack_.clear();
+      markers_.restore_undo();
       time_.set_extent(0.0, time_.frame_s());
     }
     if (other && document_.is_open()) {
       recent_takes_.add(QString::fromStdString(document_.take()->folder.string()));
     }
   });
+  connect(&saves_, &SaveQueue::failed, this,
+          [this](const QString& what, const Error& error) { notifications_.post_error(what, error); });
   connect(&document_, &TakeDocument::open_failed, this, [this](const QString& folder, const Error& error) {
     notifications_.post_error(tr("%1 cannot be opened").arg(QDir(folder).dirName()), error);
   });

@@ -11,8 +11,10 @@
 
 #include "common/job_runner.h"
 #include "common/live_model.h"
+#include "common/marker_model.h"
 #include "common/notifications.h"
 #include "common/recent_takes.h"
+#include "common/save_queue.h"
 #include "common/selection.h"
 #include "common/studio_services.h"
 #include "common/take_document.h"
@@ -37,6 +39,9 @@ class StudioContext : public QObject {
   TimeModel& time() { return time_; }
   QUndoStack& undo_stack() { return undo_stack_; }
   LiveModel& live() { return live_; }
+  /// Writes to the open take, in order.
+  SaveQueue& saves() { return saves_; }
+  MarkerModel& markers() { return markers_; }
 
   /// Where new takes go: the setting, else ~/Limbwave. Made when it does not exist.
   [[nodiscard]] QString takes_folder() const;
@@ -63,6 +68,8 @@ class StudioContext : public QObject {
   TimeModel time_;
   QUndoStack undo_stack_;
   LiveModel live_;
+  SaveQueue saves_;
+  MarkerModel markers_;
   mutable QElapsedTimer disk_asked_;
   mutable qint64 disk_free_ = 0;  ///< Bytes, asked at most once a second.
 };

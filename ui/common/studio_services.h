@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,10 @@ class LiveBackend {
   virtual void stop() = 0;
   virtual Status start_recording(const std::filesystem::path& folder, const std::string& subject) = 0;
   virtual Result<take::Take> stop_recording() = 0;
-  virtual void mark(const std::string& text) = 0;
+  /// The marker that was set, with its number; empty when nothing is recorded.
+  virtual std::optional<take::TakeEvent> mark(const std::string& text) = 0;
+  /// Another state of a marker; false when nothing is recorded.
+  virtual bool write_event(const take::TakeEvent& event) = 0;
   virtual void set_calibration(const calibrate::RigCalibration& calibration) = 0;
   virtual void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) = 0;
   [[nodiscard]] virtual std::shared_ptr<const solve::LiveSnapshot> snapshot() const = 0;
@@ -35,17 +39,30 @@ class LiveBackend {
   virtual void on_figure(std::function<void()> /*told*/) {}
 };
 
+/// How a device is to be opened; what is not said is the studio's choice for that device.
+struct DeviceSetup {
+  double rate_hz = 0.0;                     ///< 0: the rate nearest to 48 kHz that it offers.
+  std::optional<acquire::SampleType> type;  ///< Empty: its best one up to 24 bit.
+  int left = 0, right = 1;                  ///< Its inputs that become the left and the right channel, from 0.
+  bool operator==(const DeviceSetup&) const = default;
+};
+
+/// A rig that can be chosen.
+struct RigChoice {
+  std::string name;   ///< What `load_rig` takes: "line-in-arm".
+  std::string title;  ///< For people.
+};
+
 struct StudioServices {
   /// Everything that can be captured from, the simulator last.
   std::function<Result<std::vector<acquire::DeviceInfo>>()> list_devices;
-  /// Rate 0 in `format` means the device's own.
-  std::function<Result<std::unique_ptr<acquire::LiveSource>>(const std::string& id, const acquire::StreamFormat& format,
+  std::function<Result<std::unique_ptr<acquire::LiveSource>>(const std::string& id, const DeviceSetup& setup,
                                                              const std::string& rig)>
       open_device;
   /// Quick: only makes the object.
   std::function<std::unique_ptr<LiveBackend>(std::unique_ptr<acquire::LiveSource>, solve::LiveSettings)> make_live;
   std::function<std::vector<std::string>()> demo_motions;  ///< Quick. Of the simulator, the most telling first.
-  std::function<std::vector<std::string>()> list_rigs;     ///< Quick. Names.
+  std::function<std::vector<RigChoice>()> list_rigs;       ///< Quick.
   /// Quick. Rig, its skeleton, and the calibration of the library where there is one, else the nominal one.
   std::function<Result<solve::LiveSettings>(const std::string& rig, const std::string& subject)> load_rig;
   std::function<Result<take::Take>(const std::filesystem::path& folder)> open_take;

@@ -11,6 +11,11 @@ QString TakeDocument::name() const {
   return take_ ? QString::fromStdString(take_->folder.stem().string()) : QString();
 }
 
+double TakeDocument::capture_start_s() const {
+  return take_ && take_->info.format.rate.hz > 0.0 ? take_->info.format.rate.seconds(take_->info.capture().first).value
+                                                   : 0.0;
+}
+
 void TakeDocument::open(const QString& folder) {
   if (!services_.open_take) {
     return;
@@ -32,6 +37,15 @@ void TakeDocument::set(take::Take take) {
   const bool other = !take_ || take_->folder != take.folder;
   take_ = std::make_shared<const take::Take>(std::move(take));
   Q_EMIT changed(other);
+}
+
+void TakeDocument::set_events(std::vector<take::TakeEvent> events) {
+  if (take_) {
+    take::Take next = *take_;
+    next.events = std::move(events);
+    take_ = std::make_shared<const take::Take>(std::move(next));
+    Q_EMIT events_changed();
+  }
 }
 
 void TakeDocument::close() {

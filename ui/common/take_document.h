@@ -21,16 +21,21 @@ class TakeDocument : public QObject {
   [[nodiscard]] bool is_open() const { return take_ != nullptr; }
   /// "walk-01" of walk-01.take; empty while none is open.
   [[nodiscard]] QString name() const;
+  /// Where the open take's capture begins, seconds of the take: time 0 of a solved clip. 0 while none is open.
+  [[nodiscard]] double capture_start_s() const;
   /// Opens in a job; ends in `changed` or `open_failed`.
   void open(const QString& folder);
   /// Shows this take, which is already read: after recording, or changed by a calibration. The same folder counts as
   /// the same take: `changed(false)`.
   void set(take::Take take);
+  /// The open take with other events: markers were changed. Ends in `events_changed`; signal, rig and calibration stay.
+  void set_events(std::vector<take::TakeEvent> events);
   void close();
 
  Q_SIGNALS:
   /// `other`: another take than before, so that selections and playheads start anew.
   void changed(bool other);
+  void events_changed();  ///< Nothing else of the take.
   void open_failed(const QString& folder, const limbwave::Error& error);
 
  private:

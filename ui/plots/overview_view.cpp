@@ -1,12 +1,15 @@
 #include "plots/overview_view.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/format.h"
 #include "common/theme.h"
@@ -15,14 +18,17 @@ namespace limbwave::ui {
 namespace {
 constexpr double kAxis = 18;
 constexpr double kShortest_s = 0.02;  // about one cycle of the multiplexer
+constexpr double kGrab = 6.0;         // pixels beside a marker's line that still take it
+constexpr double kFlag = 16.0;        // height of the markers' names
+constexpr double kStep_s = 0.01, kLongStep_s = 0.1;
 }  // namespace
 
 OverviewView::OverviewView(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("overview"));
   setAccessibleName(tr("Recorded signal"));
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(tr("Wheel: zoom. Drag: move. Double click: show all."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setMouseTracking(true);
 }
 
 void OverviewView::set_overview(std::shared_ptr<const TakeOverview> overview) {
@@ -66,6 +72,74 @@ AxisMap OverviewView::time_axis() const {
   return {begin_s_, std::max(end_s_, begin_s_ + 1e-6), 0.0, static_cast<double>(width())};
 }
 
+void OverviewView::set_selected_mark(std::int64_t number) {
+  if (number != selected_) {
+    selected_ = number;
+    update();
+  }
+}
+
+double OverviewView::shown_time(const OverviewMark& mark) const {
+  return drag_moved_ && mark.number != 0 && mark.number == dragged_ ? dragged_to_s_ : mark.time_s;
+}
+
+double OverviewView::mark_x(std::int64_t number) const {
+  for (const OverviewMark& mark : marks_) {
+    if (mark.number == number) {
+      return time_axis().to_pixel(shown_time(mark));
+    }
+  }
+  return -1.0;
+}
+
+const OverviewMark* OverviewView::selected_mark() const {
+  const auto found = std::find_if(marks_.begin(), marks_.end(), [this](const OverviewMark& mark) {
+    return selected_ != 0 && mark.number == selected_;
+  });
+  return found == marks_.end() ? nullptr : &*found;
+}
+
+const OverviewMark* OverviewView::mark_at(const QPointF& position) const {
+  const AxisMap time = time_axis();
+  const OverviewMark* best = nullptr;
+  double least = kGrab;
+  const QFontMetrics metrics(font());
+  for (const OverviewMark& mark : marks_) {
+    const double right = position.x() - time.to_pixel(mark.time_s);
+    // Its line anywhere, its name in the band of names.
+    const bool on_name =
+        position.y() < kFlag && right > 0.0 && right < std::min(140, metrics.horizontalAdvance(mark.text));
+    const double distance = on_name ? kGrab - 0.5 : std::abs(right);
+    if (mark.number != 0 && distance < least) {
+      least = distance;
+      best = &mark;
+    }
+  }
+  return best;
+}
+
+void OverviewView::paint_marks(QPainter& painter, const QRectF& band) const {
+  const ThemeColors& theme = theme_colors(palette());
+  const AxisMap time = time_axis();
+  painter.setBrush(Qt::NoBrush);
+  for (const OverviewMark& mark : marks_) {
+    const double at = std::floor(time.to_pixel(shown_time(mark))) + 0.5;
+    if (at < -140.0 || at > width()) {
+      continue;
+    }
+    const bool selected = mark.number != 0 && mark.number == selected_;
+    const QColor color = mark.problem ? theme.warning : theme.accent;
+    painter.setPen(QPen(color, selected ? 3 : 1));
+    painter.drawLine(QPointF(at, 0), QPointF(at, band.bottom()));
+    const QString text = painter.fontMetrics().elidedText(mark.text, Qt::ElideRight, 140);
+    const QRectF flag(at + 1, 0, painter.fontMetrics().horizontalAdvance(text) + 6, kFlag);
+    // A ground of its own, so that the words can be read on the signal.
+    painter.fillRect(flag, selected ? color : theme.base);
+    painter.setPen(selected ? theme.accent_text : color);
+    painter.drawText(flag.adjusted(3, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+  }
+}
+
 void OverviewView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const ThemeColors& theme = theme_colors(palette());
@@ -98,16 +172,7 @@ void OverviewView::paintEvent(QPaintEvent*) {
     painter.setBrush(color);
     painter.drawPolygon(min_max_outline(channels.at(c)->query(first, last, width()), x, y));
   }
-  painter.setBrush(Qt::NoBrush);
-  for (const OverviewMark& mark : marks_) {
-    const double at = std::floor(time.to_pixel(mark.time_s)) + 0.5;
-    if (at < 0.0 || at > width()) {
-      continue;
-    }
-    painter.setPen(mark.problem ? theme.warning : theme.accent);
-    painter.drawLine(QPointF(at, 0), QPointF(at, band.bottom()));
-    painter.drawText(QPointF(at + 3, 12), painter.fontMetrics().elidedText(mark.text, Qt::ElideRight, 140));
-  }
+  paint_marks(painter, band);
   const double step = nice_step(time.value_end - time.value_begin, std::max(1, width() / 90));
   painter.setPen(theme.dim);
   for (const double tick : ticks(time.value_begin, time.value_end, step)) {
@@ -130,24 +195,104 @@ void OverviewView::wheelEvent(QWheelEvent* event) {
 
 void OverviewView::mousePressEvent(QMouseEvent* event) {
   drag_x_ = event->position().x();
-}
-
-void OverviewView::mouseMoveEvent(QMouseEvent* event) {
-  if ((event->buttons() & Qt::LeftButton) != 0) {
-    const AxisMap time = time_axis();
-    const double shift = time.to_value(drag_x_) - time.to_value(event->position().x());
-    drag_x_ = event->position().x();
-    set_visible(begin_s_ + shift, end_s_ + shift);
+  drag_moved_ = false;
+  const OverviewMark* mark = event->button() == Qt::LeftButton ? mark_at(event->position()) : nullptr;
+  dragged_ = mark != nullptr ? mark->number : 0;
+  if (dragged_ != 0) {
+    dragged_to_s_ = mark->time_s;
+    Q_EMIT mark_selected(dragged_);
   }
 }
 
-void OverviewView::mouseDoubleClickEvent(QMouseEvent*) {
-  if (overview_) {
+void OverviewView::mouseMoveEvent(QMouseEvent* event) {
+  const AxisMap time = time_axis();
+  const double x = event->position().x();
+  if ((event->buttons() & Qt::LeftButton) == 0) {
+    setCursor(mark_at(event->position()) != nullptr ? Qt::SizeHorCursor : Qt::ArrowCursor);
+    return;
+  }
+  if (dragged_ != 0) {
+    drag_moved_ = drag_moved_ || std::abs(x - drag_x_) > 2.0;
+    dragged_to_s_ = std::clamp(time.to_value(x), 0.0, overview_ ? overview_->seconds() : 0.0);
+    update();
+    return;
+  }
+  const double shift = time.to_value(drag_x_) - time.to_value(x);
+  drag_x_ = x;
+  set_visible(begin_s_ + shift, end_s_ + shift);
+}
+
+void OverviewView::mouseReleaseEvent(QMouseEvent*) {
+  const bool moved = dragged_ != 0 && drag_moved_;
+  const std::int64_t number = std::exchange(dragged_, 0);
+  drag_moved_ = false;
+  if (moved) {
+    Q_EMIT mark_moved(number, dragged_to_s_);
+  }
+  update();
+}
+
+void OverviewView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (!overview_) {
+    return;
+  }
+  if (const OverviewMark* mark = mark_at(event->position())) {
+    Q_EMIT mark_activated(mark->number);
+  } else if (event->position().y() < kFlag) {
+    Q_EMIT mark_wanted(time_axis().to_value(event->position().x()));
+  } else {
     set_visible(0.0, overview_->seconds());
   }
 }
 
+bool OverviewView::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const OverviewMark* mark = mark_at(help->pos());
+    QToolTip::showText(
+        help->globalPos(),
+        mark != nullptr ? tr("%1 at %2. Drag: move. Double click: rename. Delete: delete.")
+                              .arg(mark->text, format_clock_hundredths(mark->time_s))
+                        : tr("Wheel: zoom. Drag: move. Double click: show all; at the upper edge: set a marker there."),
+        this);
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+/// Keys for the selected marker; false: it is none of them.
+bool OverviewView::mark_key(QKeyEvent* event) {
+  const OverviewMark* mark = selected_mark();
+  if (mark == nullptr) {
+    return false;
+  }
+  const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
+  const double step = (event->modifiers() & Qt::ControlModifier) != 0 ? kLongStep_s : kStep_s;
+  switch (event->key()) {
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace:
+      Q_EMIT mark_removed(mark->number);
+      return true;
+    case Qt::Key_F2:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      Q_EMIT mark_activated(mark->number);
+      return true;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+      if (shift) {
+        Q_EMIT mark_moved(mark->number, mark->time_s + (event->key() == Qt::Key_Left ? -step : step));
+      }
+      return shift;
+    default:
+      return false;
+  }
+}
+
 void OverviewView::keyPressEvent(QKeyEvent* event) {
+  if (mark_key(event)) {
+    return;
+  }
   const double width_s = end_s_ - begin_s_;
   switch (event->key()) {
     case Qt::Key_Left:

@@ -74,6 +74,39 @@ void SensorStrips::set_snapshot(std::shared_ptr<const solve::LiveSnapshot> snaps
   update();
 }
 
+void SensorStrips::set_marks(std::vector<Mark> marks) {
+  marks_ = std::move(marks);
+  update();
+}
+
+void SensorStrips::paint_marks(QPainter& painter) const {
+  if (!snapshot_) {
+    return;
+  }
+  const ThemeColors& theme = theme_colors(palette());
+  painter.setPen(theme.accent);
+  for (int axis = 0; axis < 3; ++axis) {
+    const QRectF top = strip(0, axis);
+    const double bottom = row(static_cast<int>(sensors_.size()) - 1).bottom();
+    const AxisMap x{snapshot_->stream_time_s - kHistory, snapshot_->stream_time_s, top.left(), top.right()};
+    for (const Mark& mark : marks_) {
+      const double at = std::floor(x.to_pixel(mark.stream_time_s)) + 0.5;
+      if (at < top.left() || at > top.right()) {
+        continue;
+      }
+      painter.drawLine(QPointF(at, top.top()), QPointF(at, bottom));
+      const double room = top.right() - at - 6.0;
+      if (axis == 0 && room > 24.0) {
+        const QString text =
+            painter.fontMetrics().elidedText(mark.text, Qt::ElideRight, static_cast<int>(std::min(room, 140.0)));
+        const QRectF flag(at + 1, top.bottom() - 15, painter.fontMetrics().horizontalAdvance(text) + 6, 15);
+        painter.fillRect(flag, theme.base);
+        painter.drawText(flag, Qt::AlignCenter, text);
+      }
+    }
+  }
+}
+
 void SensorStrips::update_ranges() {
   if (!snapshot_) {
     return;
@@ -210,6 +243,7 @@ void SensorStrips::paintEvent(QPaintEvent*) {
     return;
   }
   painter.setFont(small);
+  paint_marks(painter);
   painter.setPen(theme.dim);
   const std::array<QString, 3> names{tr("x axis, m/s²"), tr("y axis, m/s²"), tr("z axis, m/s²")};
   for (int axis = 0; axis < 3; ++axis) {

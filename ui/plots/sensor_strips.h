@@ -18,6 +18,12 @@ class SensorStrips : public QWidget {
   void set_sensors(const QStringList& names);
   void set_snapshot(std::shared_ptr<const solve::LiveSnapshot> snapshot);
   void set_selected_sensor(int sensor);
+  /// Markers of the running recording, at times of the stream.
+  struct Mark {
+    double stream_time_s = 0.0;
+    QString text;
+  };
+  void set_marks(std::vector<Mark> marks);
   [[nodiscard]] QSize sizeHint() const override { return {800, 420}; }
   [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -35,11 +41,13 @@ class SensorStrips : public QWidget {
   [[nodiscard]] QRectF strip(int sensor, int axis) const;
   void paint_card(QPainter& painter, int sensor) const;
   void paint_strip(QPainter& painter, int sensor, int axis) const;
+  void paint_marks(QPainter& painter) const;
   void update_ranges();
 
   QStringList sensors_;
   int selected_ = -1;
   std::shared_ptr<const solve::LiveSnapshot> snapshot_;
+  std::vector<Mark> marks_;
   std::vector<double> ranges_;  ///< Per sensor, m/s².
 };
 

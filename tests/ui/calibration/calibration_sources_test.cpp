@@ -33,7 +33,8 @@ class ScriptedBackend : public LiveBackend {
     take_.info.frames = 48000 * 60;
     return take_;
   }
-  void mark(const std::string&) override {}
+  std::optional<take::TakeEvent> mark(const std::string&) override { return std::nullopt; }
+  bool write_event(const take::TakeEvent&) override { return true; }
   void set_calibration(const calibrate::RigCalibration& calibration) override { settings_.calibration = calibration; }
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
   [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
@@ -53,7 +54,7 @@ class CalibrationSourcesTest : public QObject {
     QTemporaryDir folder;
     ScriptedBackend* backend = nullptr;
     StudioServices services;
-    services.open_device = [](const std::string&, const acquire::StreamFormat&, const std::string&) {
+    services.open_device = [](const std::string&, const DeviceSetup&, const std::string&) {
       return Result<std::unique_ptr<acquire::LiveSource>>(nullptr);
     };
     services.load_rig = [](const std::string&, const std::string&) -> Result<solve::LiveSettings> {

@@ -72,5 +72,21 @@ TEST_F(FormatTest, TakeNamesCountUpAndAreChecked) {
   EXPECT_FALSE(take_name_problem(folder.path(), QString(300, QLatin1Char('x'))).isEmpty());
 }
 
+TEST(Clock, HundredthsRoundAsAWhole) {
+  EXPECT_EQ(format_clock_hundredths(59.999), QStringLiteral("1:00.00"));
+  EXPECT_EQ(format_clock_hundredths(7.326), QStringLiteral("0:07.33"));
+  EXPECT_EQ(format_clock_hundredths(-1.0), QStringLiteral("0:00.00"));
+}
+
+TEST(Clock, IsReadAsPeopleWriteIt) {
+  EXPECT_DOUBLE_EQ(*parse_clock(QStringLiteral("7.3")), 7.3);
+  EXPECT_DOUBLE_EQ(*parse_clock(QStringLiteral(" 67,25 ")), 67.25);
+  EXPECT_DOUBLE_EQ(*parse_clock(QStringLiteral("1:07.3")), 67.3);
+  EXPECT_DOUBLE_EQ(*parse_clock(QStringLiteral("1:02:03")), 3723.0);
+  for (const char* text : {"", "abc", "1:60", "1:2:3:4", "-3", "1:", ":", "nan", "inf", "1e999", "1:-2"}) {
+    EXPECT_FALSE(parse_clock(QString::fromLatin1(text)).has_value()) << text;
+  }
+}
+
 }  // namespace
 }  // namespace limbwave::ui

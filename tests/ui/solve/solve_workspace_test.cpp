@@ -46,7 +46,8 @@ class FakeCapture : public LiveBackend {
   void stop() override { end(); }
   Status start_recording(const std::filesystem::path&, const std::string&) override { return {}; }
   Result<take::Take> stop_recording() override { return take::Take{}; }
-  void mark(const std::string&) override {}
+  std::optional<take::TakeEvent> mark(const std::string&) override { return std::nullopt; }
+  bool write_event(const take::TakeEvent&) override { return true; }
   void set_calibration(const calibrate::RigCalibration&) override {}
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
   void on_figure(std::function<void()> told) override { told_ = std::move(told); }
@@ -106,7 +107,7 @@ StudioServices capture_services() {
     settings.skeleton = body::load_skeleton(settings.rig.skeleton).value();
     return settings;
   };
-  services.open_device = [](const std::string&, const acquire::StreamFormat&,
+  services.open_device = [](const std::string&, const DeviceSetup&,
                             const std::string&) -> Result<std::unique_ptr<acquire::LiveSource>> {
     return std::unique_ptr<acquire::LiveSource>(std::make_unique<SilentSource>());
   };

@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "common/live_model.h"
+#include "take/markers.h"
 
 namespace limbwave::ui::testing {
 namespace {
@@ -50,6 +51,7 @@ class FakeBackend : public LiveBackend {
       return Error{"no space left on the device", folder.string(), "choose another folder"};
     }
     std::filesystem::create_directories(folder);
+    line_->events.clear();
     folder_ = folder;
     subject_ = subject;
     recording_since_ = steady_now_s();
@@ -65,14 +67,23 @@ class FakeBackend : public LiveBackend {
     take.info.format = FakeSource().format();
     take.info.frames = static_cast<std::int64_t>((steady_now_s() - recording_since_) * kRate);
     take.info.rig = settings_.rig;
-    for (std::size_t i = 0; i < line_->marks.size(); ++i) {
-      take.events.push_back({SampleIndex{static_cast<std::int64_t>(1000 * (i + 1))}, "marker", line_->marks[i], 0});
+    take.events = take::events_in_force(line_->events);
+    for (const take::TakeEvent& event : line_->events) {
+      (void)take::append_event(folder_, event);
     }
     recording_since_ = 0.0;
     return take;
   }
 
-  void mark(const std::string& text) override { line_->marks.push_back(text); }
+  std::optional<take::TakeEvent> mark(const std::string& text) override {
+    const auto sample = static_cast<std::int64_t>((steady_now_s() - recording_since_) * kRate);
+    line_->events.push_back({SampleIndex{sample}, take::kMarker, text, take::free_marker_number(line_->events)});
+    return line_->events.back();
+  }
+  bool write_event(const take::TakeEvent& event) override {
+    line_->events.push_back(event);
+    return recording_since_ > 0.0;
+  }
   void set_calibration(const calibrate::RigCalibration&) override {}
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
 
@@ -216,7 +227,9 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
       acquire::DeviceInfo card;
       card.id = "portaudio:ALSA:card";
       card.title = "USB Audio CODEC: Line in (hw:1,0)";
-      card.channels = 2;
+      card.channels = 4;
+      card.rates_hz = {44100.0, 48000.0, 96000.0};
+      card.types = {acquire::SampleType::kInt16, acquire::SampleType::kInt24};
       devices.push_back(card);
     }
     acquire::DeviceInfo simulator;
@@ -226,19 +239,23 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
     devices.push_back(simulator);
     return devices;
   };
-  services.open_device = [line](const std::string& id, const acquire::StreamFormat&,
+  services.open_device = [line](const std::string& id, const DeviceSetup& setup,
                                 const std::string&) -> Result<std::unique_ptr<acquire::LiveSource>> {
     if (line->fail_open) {
       return Error{"the device is busy", id, "close the program that uses it, then choose it again"};
     }
     ++line->opened;
+    line->setup = setup;
     return std::unique_ptr<acquire::LiveSource>(std::make_unique<FakeSource>());
   };
   services.make_live = [line](std::unique_ptr<acquire::LiveSource>, solve::LiveSettings settings) {
     return std::unique_ptr<LiveBackend>(std::make_unique<FakeBackend>(line, std::move(settings)));
   };
   services.demo_motions = [] { return std::vector<std::string>{"wave", "arm-raise", "reach", "walk", "box"}; };
-  services.list_rigs = [] { return std::vector<std::string>{"line-in-arm"}; };
+  services.list_rigs = [] {
+    return std::vector<RigChoice>{{"line-in-arm", "Arm with five accelerometers on a sound card"},
+                                  {"other", "Another board"}};
+  };
   services.load_rig = [](const std::string&, const std::string&) -> Result<solve::LiveSettings> { return fake_rig(); };
   services.open_take = [](const std::filesystem::path& folder) -> Result<take::Take> {
     if (!std::filesystem::exists(folder / "take.json")) {

@@ -25,8 +25,9 @@ struct FakeLine {
   bool fail_open = false;       ///< The device refuses to open.
   bool fail_recording = false;  ///< The folder cannot be made.
   bool no_devices = false;
-  std::vector<std::string> marks;  ///< What was marked.
-  int opened = 0;                  ///< How often a device was opened.
+  std::vector<take::TakeEvent> events;  ///< Lines written into the running recording: markers and their changes.
+  int opened = 0;                       ///< How often a device was opened.
+  DeviceSetup setup;                    ///< How it was opened last.
 };
 
 /// A rig of five sensors without files.

@@ -2,10 +2,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QTest>
+#include <QToolButton>
 
+#include "common/format.h"
+#include "plots/overview_view.h"
 #include "plots/scope_view.h"
 #include "plots/sensor_strips.h"
 #include "ui/support/fake_services.h"
@@ -65,8 +69,8 @@ class CaptureTest : public QObject {
     QTest::qWait(300);
     QTest::keyClick(capture.workspace, Qt::Key_M);
     QTest::mouseClick(capture.find<QPushButton>("marker_button"), Qt::LeftButton);
-    QCOMPARE(capture.line->marks.size(), std::size_t{2});
-    QCOMPARE(capture.find<QListWidget>("marker_list")->count(), 2);
+    QCOMPARE(capture.line->events.size(), std::size_t{2});
+    QCOMPARE(capture.find<QTableWidget>("marker_list")->rowCount(), 2);
     QVERIFY(capture.find<QLabel>("record_time")->text() != QStringLiteral("0:00.0"));
     QVERIFY2(capture.find<QLabel>("record_time")->font().pixelSize() >= 48, "readable from two metres");
     QTest::keyClick(capture.workspace, Qt::Key_R);
@@ -77,12 +81,149 @@ class CaptureTest : public QObject {
     QCOMPARE(capture.studio.context->recent_takes().folders().size(), 1);
   }
 
+  void markers_are_edited_where_they_are_shown_and_undone_by_keys() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(QTest::qWaitForWindowActive(capture.studio.window.get()));
+    QVERIFY(choose(capture, "simulator:wave"));
+    capture.workspace->model().start_recording();
+    QTRY_VERIFY(capture.live().recording());
+    QTest::qWait(1200);
+    QTest::keyClick(capture.workspace, Qt::Key_M);
+    auto* table = capture.find<QTableWidget>("marker_list");
+    QCOMPARE(table->rowCount(), 1);
+    // Rename: F2 in the list.
+    table->setFocus();
+    table->setCurrentCell(0, 1);
+    QTest::keyClick(table, Qt::Key_F2);
+    auto* editor = table->findChild<QLineEdit*>();
+    QVERIFY(editor != nullptr);
+    QTest::keyClicks(editor, QStringLiteral("jump"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(table->item(0, 1)->text(), QStringLiteral("jump"));
+    QTRY_VERIFY(table->findChild<QLineEdit*>() == nullptr);
+    // Another time: typed.
+    table->setCurrentCell(0, 0);
+    QTest::keyClick(table, Qt::Key_F2);
+    editor = table->findChild<QLineEdit*>();
+    QVERIFY(editor != nullptr);
+    editor->selectAll();
+    QTest::keyClicks(editor, QStringLiteral("0:00.50"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(capture.studio.context->markers().markers().front().sample, std::int64_t{24000});
+    // Dragged in the growing signal.
+    auto* view = capture.find<OverviewView>("overview");
+    QTRY_VERIFY(view->visible_end_s() > 1.0);
+    const QPoint from(qRound(view->mark_x(1)), view->height() / 2);
+    QTest::mousePress(view, Qt::LeftButton, {}, from);
+    QTest::mouseMove(view, from + QPoint(20, 0));
+    QTest::mouseMove(view, from + QPoint(40, 0));
+    QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(40, 0));
+    QVERIFY(capture.studio.context->markers().markers().front().sample > 24000);
+    QCOMPARE(capture.studio.context->selection().marker(), std::int64_t{1});
+    // All back by Ctrl+Z, whatever has the focus.
+    capture.workspace->setFocus();
+    QTest::keyClick(capture.workspace, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(table->item(0, 0)->text(), format_clock_hundredths(0.5));
+    QTest::keyClick(capture.workspace, Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(capture.workspace, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Marker 1"));
+    QTest::keyClick(capture.workspace, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("jump"));
+    // Deleted and brought back, also after the recording.
+    table->setFocus();
+    table->selectRow(0);
+    QTest::keyClick(table, Qt::Key_Delete);
+    QCOMPARE(table->rowCount(), 0);
+    capture.workspace->setFocus();
+    QTest::keyClick(capture.workspace, Qt::Key_R);
+    QTRY_VERIFY(capture.studio.context->document().is_open());
+    QCOMPARE(table->rowCount(), 0);
+    QTest::keyClick(capture.workspace, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(table->rowCount(), 1);
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("jump"));
+    QVERIFY(capture.find<QToolButton>("marker_rename") != nullptr);
+  }
+
+  void a_time_that_is_none_is_refused_in_words() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "simulator:wave"));
+    capture.workspace->model().start_recording();
+    QTRY_VERIFY(capture.live().recording());
+    QVERIFY(capture.studio.context->markers().mark_now(QStringLiteral("jump")));
+    auto* table = capture.find<QTableWidget>("marker_list");
+    const QString before = table->item(0, 0)->text();
+    table->item(0, 0)->setText(QStringLiteral("soon"));
+    QTRY_COMPARE(table->item(0, 0)->text(), before);
+    QVERIFY(capture.studio.context->notifications().all().front().text.contains(QStringLiteral("soon")));
+  }
+
+  void the_format_is_chosen_from_what_the_device_offers() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "portaudio:ALSA:card"));
+    auto* menu = capture.find<QMenu>("format_menu");
+    Q_EMIT menu->aboutToShow();
+    const auto action = [menu](const QString& start) -> QAction* {
+      for (QAction* candidate : menu->actions()) {
+        if (candidate->text().startsWith(start)) {
+          return candidate;
+        }
+      }
+      return nullptr;
+    };
+    QVERIFY(!action(QStringLiteral("192 kHz"))->isEnabled());
+    QVERIFY2(action(QStringLiteral("192 kHz"))->text().size() > 12, "it says why");
+    QVERIFY(action(QStringLiteral("96 kHz"))->isEnabled());
+    const int opened = capture.line->opened;
+    action(QStringLiteral("96 kHz"))->trigger();
+    QTRY_COMPARE(capture.line->opened, opened + 1);
+    QCOMPARE(capture.line->setup.rate_hz, 96000.0);
+    Q_EMIT menu->aboutToShow();
+    action(QStringLiteral("Left 3, right 4"))->trigger();
+    QTRY_COMPARE(capture.line->setup.left, 2);
+    QCOMPARE(capture.line->setup.rate_hz, 96000.0);
+    QTRY_VERIFY(capture.live().snapshot() != nullptr);
+    QVERIFY(capture.find<QToolButton>("format_button")->text().contains(QStringLiteral("3 + 4")));
+    // Remembered for this device; another has its own.
+    QVERIFY(choose(capture, "simulator:wave"));
+    QCOMPARE(capture.line->setup.rate_hz, 0.0);
+    QVERIFY(choose(capture, "portaudio:ALSA:card"));
+    QTRY_COMPARE(capture.line->setup.rate_hz, 96000.0);
+    QTRY_VERIFY(capture.live().snapshot() != nullptr);
+    capture.workspace->model().start_recording();
+    QTRY_VERIFY(capture.live().recording());
+    QTRY_VERIFY(!capture.find<QToolButton>("format_button")->isEnabled());
+  }
+
+  void rigs_are_listed_by_title_and_a_choice_can_be_undone() {
+    Capture capture(std::make_shared<FakeLine>());
+    auto* box = capture.find<QComboBox>("rig_box");
+    QCOMPARE(box->currentText(), QStringLiteral("Arm with five accelerometers on a sound card"));
+    box->setCurrentIndex(1);
+    Q_EMIT box->activated(1);
+    QCOMPARE(capture.workspace->model().rig(), QStringLiteral("other"));
+    capture.workspace->model().set_subject(QStringLiteral("A"));
+    capture.workspace->model().set_subject(QStringLiteral("An"));
+    capture.workspace->model().set_take_name(QStringLiteral("walk"));
+    QUndoStack& undo = capture.studio.context->undo_stack();
+    QCOMPARE(undo.count(), 3);
+    undo.undo();
+    QCOMPARE(capture.find<QLineEdit>("take_name_edit")->text(), QStringLiteral("an-20261122-1"));
+    undo.undo();
+    QCOMPARE(capture.find<QLineEdit>("subject_edit")->text(), QString());
+    QCOMPARE(capture.find<QLineEdit>("take_name_edit")->text(), QStringLiteral("take-20261122-1"));
+    undo.undo();
+    QCOMPARE(capture.workspace->model().rig(), QStringLiteral("line-in-arm"));
+    QCOMPARE(box->currentIndex(), 0);
+    undo.redo();
+    QCOMPARE(box->currentText(), QStringLiteral("Another board"));
+  }
+
   void markers_need_a_recording() {
     Capture capture(std::make_shared<FakeLine>());
     QVERIFY(choose(capture, "simulator:wave"));
     QVERIFY(!capture.find<QPushButton>("marker_button")->isEnabled());
     QTest::keyClick(capture.workspace, Qt::Key_M);
-    QVERIFY(capture.line->marks.empty());
+    QVERIFY(capture.line->events.empty());
   }
 
   void a_name_that_is_taken_is_refused_where_it_is_typed() {

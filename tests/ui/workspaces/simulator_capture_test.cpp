@@ -4,7 +4,7 @@
 
 #include "common/core_services.h"
 #include "common/theme.h"
-#include "take/take.h"
+#include "take/markers.h"
 #include "ui/support/studio_fixture.h"
 #include "workspaces/capture/capture_workspace.h"
 #include "workspaces/capture/overview_panel.h"
@@ -20,6 +20,8 @@ inline StudioServices simulator_services() {
     device.id = "simulator:wave";
     device.title = "Simulator: wave";
     device.channels = 2;
+    device.rates_hz = {48000.0, 96000.0};
+    device.types = {acquire::SampleType::kInt16, acquire::SampleType::kInt24};
     return std::vector<acquire::DeviceInfo>{device};
   };
   return services;
@@ -31,6 +33,21 @@ class SimulatorCaptureTest : public QObject {
   static void shoot(QWidget& widget, const QString& name) {
     QTest::qWait(100);
     QVERIFY(widget.grab().toImage().save(screenshot_path(name)));
+  }
+
+  /// Markers as any program reads them from disk: "0.25 jump".
+  static QStringList in_take(const std::filesystem::path& folder) {
+    QStringList list;
+    const Result<take::Take> take = take::open_take(folder);
+    for (std::size_t i = 0; take && i < take->events.size(); ++i) {
+      const take::TakeEvent& event = take->events[i];
+      if (take::is_marker(event)) {
+        list << QStringLiteral("%1 %2")
+                    .arg(take->info.format.rate.seconds(event.sample).value)
+                    .arg(QString::fromStdString(event.text));
+      }
+    }
+    return list;
   }
 
  private Q_SLOTS:
@@ -53,7 +70,15 @@ class SimulatorCaptureTest : public QObject {
     capture->model().start_recording();
     QTRY_VERIFY(live.recording());
     QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->recorded_s >= 1.0, 20000);
-    capture->model().mark(QStringLiteral("here"));
+    MarkerModel& markers = studio.context->markers();
+    QVERIFY(markers.mark_now(QStringLiteral("here")));
+    QVERIFY(markers.mark_now(QStringLiteral("by mistake")));
+    QVERIFY(markers.rename(1, QStringLiteral("there")));
+    QVERIFY(markers.move(1, 0.25));
+    QVERIFY(markers.remove(2));
+    // What would be left if the program died now.
+    const std::filesystem::path growing = live.recording_folder();
+    QTRY_VERIFY_WITH_TIMEOUT(in_take(growing) == QStringList{QStringLiteral("0.25 there")}, 20000);
     QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->recorded_s >= 2.0, 20000);
     auto* overview = capture->findChild<OverviewPanel*>();
     QVERIFY2(overview->isVisible() && overview->view().visible_end_s() > 1.5, "the recording is seen while it grows");
@@ -68,10 +93,36 @@ class SimulatorCaptureTest : public QObject {
     const Result<take::Take> again = take::open_take(take->folder);
     QVERIFY(again.ok());
     QCOMPARE(again->info.frames, take->info.frames);
-    QCOMPARE(capture->model().markers().size(), std::size_t{1});
-    QCOMPARE(capture->model().markers().front().text, QStringLiteral("here"));
+    QCOMPARE(markers.markers().size(), std::size_t{1});
+    QCOMPARE(in_take(take->folder), QStringList{QStringLiteral("0.25 there")});
+    studio.context->undo_stack().undo();  // The deletion, after the recording.
+    studio.context->saves().finish();
+    QCOMPARE(in_take(take->folder).size(), 2);
+    studio.context->undo_stack().redo();
+    studio.context->saves().finish();
+    QCOMPARE(in_take(take->folder).size(), 1);
     QTRY_VERIFY(overview->view().visible_end_s() > 1.9);
     shoot(*studio.window, QStringLiteral("simulator-recorded"));
+  }
+
+  void a_chosen_format_is_what_is_recorded_and_is_remembered() {
+    StudioFixture studio(simulator_services());
+    studio.window->show_workspace(QStringLiteral("capture"));
+    auto* capture = dynamic_cast<CaptureWorkspace*>(studio.window->workspace(QStringLiteral("capture")));
+    LiveModel& live = studio.context->live();
+    QTRY_VERIFY(!capture->model().devices().empty());
+    capture->model().open_device(QStringLiteral("simulator:wave"));
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot() && live.snapshot()->format.rate.hz == 48000.0, 20000);
+    DeviceSetup setup;
+    setup.rate_hz = 96000.0;
+    setup.type = acquire::SampleType::kInt24;
+    capture->model().set_device_setup(setup);
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot() && live.snapshot()->format.rate.hz == 96000.0, 20000);
+    QCOMPARE(live.snapshot()->format.type, acquire::SampleType::kInt24);
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->line.locked, 20000);
+    capture->model().open_device({});
+    capture->model().open_device(QStringLiteral("simulator:wave"));
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot() && live.snapshot()->format.rate.hz == 96000.0, 20000);
   }
 
   void a_demo_take_is_simulated_and_shown() {

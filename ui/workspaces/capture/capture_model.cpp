@@ -1,44 +1,55 @@
 #include "workspaces/capture/capture_model.h"
 
 #include <QDir>
+#include <QUndoCommand>
 #include <algorithm>
 
 #include "common/core_text.h"
 #include "common/format.h"
+#include "workspaces/capture/device_format.h"
 
 namespace limbwave::ui {
 
-CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
-    : QObject(parent),
-      context_(context),
-      rig_(context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString()),
-      subject_(context.settings().value(QStringLiteral("capture/subject")).toString().left(200)) {
-  const QStringList known = rigs();
-  if (!known.isEmpty() && !known.contains(rig_)) {
-    rig_ = known.first();
+/// The rig, the subject or the take's name. Letters of one field that follow each other are one step.
+class SetupCommand : public QUndoCommand {
+ public:
+  SetupCommand(CaptureModel& model, CaptureSetup after, int field, const QString& text)
+      : QUndoCommand(text), model_(model), before_(model.setup()), after_(std::move(after)), field_(field) {}
+  void redo() override { setObsolete(!model_.apply(after_)); }
+  void undo() override { setObsolete(!model_.apply(before_)); }
+  [[nodiscard]] int id() const override { return 0x6370; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = dynamic_cast<const SetupCommand*>(other);
+    if (next == nullptr || next->field_ != field_ || next->before_ != after_) {
+      return false;
+    }
+    after_ = next->after_;
+    return true;
+  }
+
+ private:
+  CaptureModel& model_;
+  CaptureSetup before_, after_;
+  int field_;
+};
+
+CaptureModel::CaptureModel(StudioContext& context, QObject* parent) : QObject(parent), context_(context) {
+  if (context_.services().list_rigs) {
+    rigs_ = context_.services().list_rigs();
+  }
+  setup_.rig = context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
+  setup_.subject = context.settings().value(QStringLiteral("capture/subject")).toString().left(200);
+  const auto known = std::any_of(rigs_.begin(), rigs_.end(),
+                                 [this](const RigChoice& rig) { return rig.name == setup_.rig.toStdString(); });
+  if (!rigs_.empty() && !known) {
+    setup_.rig = QString::fromStdString(rigs_.front().name);
   }
   load_rig_names();
   suggest_name();
   LiveModel& live = context_.live();
   connect(&live, &LiveModel::recording_finished, this, [this] {
-    name_typed_ = false;
+    setup_.name_typed = false;
     suggest_name();
-  });
-  connect(&live, &LiveModel::marked, this, [this](const QString& text) {
-    const auto& snapshot = context_.live().snapshot();
-    markers_.push_back({snapshot ? snapshot->recorded_s : 0.0, text});
-    Q_EMIT markers_changed();
-  });
-  connect(&live, &LiveModel::recording_changed, this, [this] {
-    if (context_.live().recording()) {
-      markers_.clear();
-      Q_EMIT markers_changed();
-    }
-  });
-  connect(&context_.document(), &TakeDocument::changed, this, [this] {
-    if (!context_.live().recording()) {
-      show_markers_of_take();
-    }
   });
 }
 
@@ -47,24 +58,14 @@ void CaptureModel::set_today(const QDate& today) {
   suggest_name();
 }
 
-QStringList CaptureModel::rigs() const {
-  QStringList names;
-  if (context_.services().list_rigs) {
-    for (const std::string& name : context_.services().list_rigs()) {
-      names.append(QString::fromStdString(name));
-    }
-  }
-  return names;
-}
-
 void CaptureModel::load_rig_names() {
   sensor_names_.clear();
   if (!context_.services().load_rig) {
     return;
   }
-  const auto settings = context_.services().load_rig(rig_.toStdString(), subject_.toStdString());
+  const auto settings = context_.services().load_rig(rig().toStdString(), subject().toStdString());
   if (!settings) {
-    context_.notifications().post_error(tr("Rig %1").arg(rig_), settings.error());
+    context_.notifications().post_error(tr("Rig %1").arg(rig()), settings.error());
     return;
   }
   for (const body::Accelerometer& sensor : settings.value().rig.accelerometers) {
@@ -81,20 +82,24 @@ int CaptureModel::slot_count() const {
   return slot_count_;
 }
 
+QString CaptureModel::suggested_name(const QString& subject) const {
+  const QDate day = today_.isValid() ? today_ : QDate::currentDate();
+  return suggest_take_name(context_.takes_folder(), subject, day.toString(QStringLiteral("yyyyMMdd")));
+}
+
 void CaptureModel::suggest_name() {
-  if (!name_typed_) {
-    const QDate day = today_.isValid() ? today_ : QDate::currentDate();
-    take_name_ = suggest_take_name(context_.takes_folder(), subject_, day.toString(QStringLiteral("yyyyMMdd")));
+  if (!setup_.name_typed) {
+    setup_.take_name = suggested_name(setup_.subject);
   }
   Q_EMIT setup_changed();
 }
 
 QString CaptureModel::take_folder() const {
-  return QDir(context_.takes_folder()).filePath(take_name_ + QStringLiteral(".take"));
+  return QDir(context_.takes_folder()).filePath(take_name() + QStringLiteral(".take"));
 }
 
 QString CaptureModel::take_name_problem() const {
-  return limbwave::ui::take_name_problem(context_.takes_folder(), take_name_);
+  return limbwave::ui::take_name_problem(context_.takes_folder(), take_name());
 }
 
 bool CaptureModel::can_record() const {
@@ -145,46 +150,92 @@ void CaptureModel::open_device(const QString& id) {
   if (device == devices_.end() || (live.state() != LiveState::kOff && live.device_id() == id)) {
     return;
   }
-  if (live.open(id, QString::fromStdString(device->title), rig_.toStdString(), subject_)) {
+  if (live.open(id, QString::fromStdString(device->title), rig().toStdString(), subject(),
+                remembered_setup(context_.settings(), *device))) {
     context_.settings().setValue(QStringLiteral("capture/device"), id);
   }
 }
 
-void CaptureModel::set_rig(const QString& rig) {
-  if (rig == rig_ || rig.isEmpty() || context_.live().recording()) {
+const acquire::DeviceInfo* CaptureModel::device() const {
+  const auto found = std::find_if(devices_.begin(), devices_.end(), [this](const acquire::DeviceInfo& one) {
+    return one.id == context_.live().device_id().toStdString();
+  });
+  return found == devices_.end() ? nullptr : &*found;
+}
+
+DeviceSetup CaptureModel::device_setup() const {
+  const acquire::DeviceInfo* chosen = device();
+  return chosen != nullptr ? remembered_setup(context_.settings(), *chosen) : DeviceSetup{};
+}
+
+void CaptureModel::set_device_setup(const DeviceSetup& setup) {
+  const acquire::DeviceInfo* chosen = device();
+  LiveModel& live = context_.live();
+  if (chosen == nullptr || live.recording() || live.starting() || live.finishing()) {
     return;
   }
-  rig_ = rig;
-  context_.settings().setValue(QStringLiteral("capture/rig"), rig);
-  load_rig_names();
+  remember_setup(context_.settings(), *chosen, setup);
+  const QString id = live.device_id();
+  live.close();
+  open_device(id);
   Q_EMIT setup_changed();
-  // The decoder depends on the rig: listen anew.
-  const QString id = context_.live().device_id();
-  if (context_.live().state() != LiveState::kOff && !id.isEmpty()) {
+}
+
+void CaptureModel::change(const CaptureSetup& next, Field field, const QString& text) {
+  if (next != setup_) {
+    context_.undo_stack().push(new SetupCommand(*this, next, static_cast<int>(field), text));
+  }
+}
+
+bool CaptureModel::apply(const CaptureSetup& next) {
+  const LiveModel& live = context_.live();
+  if (live.recording() || live.starting()) {
+    return false;  // It belongs to what is being recorded.
+  }
+  const bool other_rig = next.rig != setup_.rig;
+  setup_ = next;
+  context_.settings().setValue(QStringLiteral("capture/subject"), subject());
+  if (other_rig) {
+    context_.settings().setValue(QStringLiteral("capture/rig"), rig());
+    load_rig_names();
+  }
+  Q_EMIT setup_changed();
+  const QString id = live.device_id();
+  if (other_rig && live.state() != LiveState::kOff && !id.isEmpty()) {
+    // The decoder depends on the rig: listen anew.
     context_.live().close();
     open_device(id);
+  }
+  return true;
+}
+
+void CaptureModel::set_rig(const QString& rig) {
+  if (!rig.isEmpty() && !context_.live().recording()) {
+    CaptureSetup next = setup_;
+    next.rig = rig;
+    change(next, Field::kRig, tr("rig"));
   }
 }
 
 void CaptureModel::set_subject(const QString& subject) {
-  if (subject != subject_) {
-    subject_ = subject;
-    context_.settings().setValue(QStringLiteral("capture/subject"), subject);
-    suggest_name();
+  CaptureSetup next = setup_;
+  next.subject = subject;
+  if (!next.name_typed) {
+    next.take_name = suggested_name(subject);
   }
+  change(next, Field::kSubject, tr("subject"));
 }
 
 void CaptureModel::set_take_name(const QString& name) {
-  if (name != take_name_) {
-    take_name_ = name;
-    name_typed_ = !name.isEmpty();
-    Q_EMIT setup_changed();
-  }
+  CaptureSetup next = setup_;
+  next.take_name = name;
+  next.name_typed = !name.isEmpty();
+  change(next, Field::kTakeName, tr("name of the take"));
 }
 
 void CaptureModel::start_recording() {
   if (can_record()) {
-    context_.live().start_recording(take_folder().toStdString(), subject_);
+    context_.live().start_recording(take_folder().toStdString(), subject());
   }
 }
 
@@ -198,24 +249,6 @@ void CaptureModel::toggle_recording() {
   } else {
     start_recording();
   }
-}
-
-void CaptureModel::mark(const QString& text) {
-  if (context_.live().recording()) {
-    context_.live().mark(text.isEmpty() ? tr("Marker %1").arg(markers_.size() + 1) : text);
-  }
-}
-
-void CaptureModel::show_markers_of_take() {
-  markers_.clear();
-  if (const auto& take = context_.document().take()) {
-    for (const take::TakeEvent& event : take->events) {
-      if (event.kind == "marker") {
-        markers_.push_back({take->info.format.rate.seconds(event.sample).value, QString::fromStdString(event.text)});
-      }
-    }
-  }
-  Q_EMIT markers_changed();
 }
 
 }  // namespace limbwave::ui

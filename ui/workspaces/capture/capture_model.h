@@ -1,4 +1,4 @@
-/// What the Capture workspace knows, apart from its widgets: devices, rig, subject, the next take's name, markers.
+/// What the Capture workspace knows, apart from its widgets: devices, rig, subject, the next take's name.
 #pragma once
 
 #include <QDate>
@@ -12,9 +12,13 @@
 
 namespace limbwave::ui {
 
-struct MarkerRow {
-  double time_s = 0.0;
-  QString text;
+/// What the user says about the next take; changes can be undone.
+struct CaptureSetup {
+  QString rig;  ///< Its name, as StudioServices::load_rig takes it.
+  QString subject;
+  QString take_name;        ///< Without ".take".
+  bool name_typed = false;  ///< Else it is suggested.
+  bool operator==(const CaptureSetup&) const = default;
 };
 
 class CaptureModel : public QObject {
@@ -25,15 +29,15 @@ class CaptureModel : public QObject {
   [[nodiscard]] const std::vector<acquire::DeviceInfo>& devices() const { return devices_; }
   [[nodiscard]] bool searching() const { return searching_; }
   [[nodiscard]] const QString& search_problem() const { return search_problem_; }
-  [[nodiscard]] QStringList rigs() const;
-  [[nodiscard]] const QString& rig() const { return rig_; }
-  [[nodiscard]] const QString& subject() const { return subject_; }
+  [[nodiscard]] const std::vector<RigChoice>& rigs() const { return rigs_; }
+  [[nodiscard]] const CaptureSetup& setup() const { return setup_; }
+  [[nodiscard]] const QString& rig() const { return setup_.rig; }
+  [[nodiscard]] const QString& subject() const { return setup_.subject; }
   /// Name of the next take without ".take"; suggested as long as the user has not typed one.
-  [[nodiscard]] const QString& take_name() const { return take_name_; }
+  [[nodiscard]] const QString& take_name() const { return setup_.take_name; }
   [[nodiscard]] QString take_folder() const;
   /// Why the next take cannot be recorded under this name; empty: it can.
   [[nodiscard]] QString take_name_problem() const;
-  [[nodiscard]] const std::vector<MarkerRow>& markers() const { return markers_; }
   [[nodiscard]] bool can_record() const;
   /// Names of the rig's sensors, of the running capture, else of the chosen rig.
   [[nodiscard]] QStringList sensor_names() const;
@@ -41,37 +45,46 @@ class CaptureModel : public QObject {
 
   /// Asks for devices in a job, then opens the one used last time when it is there.
   void refresh_devices();
+  /// The device that is open, or was to be; null: none, or it is not among the devices any more.
+  [[nodiscard]] const acquire::DeviceInfo* device() const;
+  /// How that device is opened; kept for each device.
+  [[nodiscard]] DeviceSetup device_setup() const;
+  /// Opens it anew in this way. Refused while recording.
+  void set_device_setup(const DeviceSetup& setup);
   /// Empty: closes.
   void open_device(const QString& id);
   void set_rig(const QString& rig);
   void set_subject(const QString& subject);
   void set_take_name(const QString& name);
+  /// Takes go to another folder: other names are free there.
+  void follow_folder() { suggest_name(); }
   void start_recording();
   void stop_recording();
   void toggle_recording();
-  /// "Marker 3" when `text` is empty.
-  void mark(const QString& text = {});
   /// For tests: the day that take names use.
   void set_today(const QDate& today);
 
  Q_SIGNALS:
   void devices_changed();
   void setup_changed();  ///< Rig, subject or take name.
-  void markers_changed();
 
  private:
+  friend class SetupCommand;
+  enum class Field { kRig, kSubject, kTakeName };
+  void change(const CaptureSetup& next, Field field, const QString& text);
+  bool apply(const CaptureSetup& next);
+  [[nodiscard]] QString suggested_name(const QString& subject) const;
   void suggest_name();
   void load_rig_names();
-  void show_markers_of_take();
 
   StudioContext& context_;
   std::vector<acquire::DeviceInfo> devices_;
   bool searching_ = false;
-  QString search_problem_, rig_, subject_, take_name_;
-  bool name_typed_ = false;
+  QString search_problem_;
+  std::vector<RigChoice> rigs_;
+  CaptureSetup setup_;
   QStringList sensor_names_;
   int slot_count_ = 16;
-  std::vector<MarkerRow> markers_;
   QDate today_;
 };
 

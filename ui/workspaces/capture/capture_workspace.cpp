@@ -69,7 +69,24 @@ CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
     scope_->set_selected_sensor(sensor);
     strips_->set_selected_sensor(sensor);
   });
+  connect(&context_.markers(), &MarkerModel::changed, this, &CaptureWorkspace::show_markers);
+  connect(overview_, &OverviewPanel::rename_wanted, this, [this](std::int64_t number) {
+    side_->ensureWidgetVisible(markers_);
+    markers_->edit_name(number);
+  });
   follow_state();
+}
+
+void CaptureWorkspace::show_markers() {
+  const auto& snapshot = context_.live().snapshot();
+  std::vector<SensorStrips::Mark> marks;
+  if (snapshot && context_.markers().recording()) {
+    const double start_s = snapshot->stream_time_s - snapshot->recorded_s;
+    for (const Marker& marker : context_.markers().markers()) {
+      marks.push_back({start_s + context_.markers().time_s(marker), marker.text});
+    }
+  }
+  strips_->set_marks(std::move(marks));
 }
 
 void CaptureWorkspace::make_signals() {
@@ -113,7 +130,8 @@ void CaptureWorkspace::make_side() {
   level_ = new LevelPanel(context_, page);
   layout->addWidget(record_);
   layout->addWidget(level_);
-  layout->addWidget(new MarkerPanel(context_, model_, page), 1);
+  markers_ = new MarkerPanel(context_, page);
+  layout->addWidget(markers_, 1);
   side_->setWidget(page);
 }
 
@@ -125,13 +143,16 @@ void CaptureWorkspace::make_shortcuts() {
     connect(shortcut, &QShortcut::activated, this, handler);
   };
   add(Qt::Key_R, [this] { model_.toggle_recording(); });
-  add(Qt::Key_M, [this] { model_.mark(); });
+  add(Qt::Key_M, [this] { context_.markers().mark_now(); });
   add(Qt::Key_F5, [this] { model_.refresh_devices(); });
 }
 
 std::vector<ShortcutHelp> CaptureWorkspace::shortcuts() {
   return {{QStringLiteral("R"), tr("Record, or stop recording")},
           {QStringLiteral("M"), tr("Set a marker")},
+          {QStringLiteral("F2"), tr("Rename the selected marker")},
+          {tr("Delete"), tr("Delete the selected marker")},
+          {tr("Shift+← / →"), tr("In the signal: move the selected marker by 10 ms, with Ctrl by 100 ms")},
           {QStringLiteral("F5"), tr("Look for devices again")}};
 }
 

@@ -12,6 +12,7 @@ namespace limbwave::ui {
 
 class EmptyState;
 class LevelPanel;
+class MarkerPanel;
 class OverviewPanel;
 class RecordPanel;
 class ScopeView;
@@ -34,6 +35,7 @@ class CaptureWorkspace : public Workspace {
   void make_shortcuts();
   void follow_state();
   void follow_snapshot();
+  void show_markers();
   void announce(const take::Take& take);
 
   StudioContext& context_;
@@ -49,6 +51,7 @@ class CaptureWorkspace : public Workspace {
   QScrollArea* side_ = nullptr;
   RecordPanel* record_ = nullptr;
   LevelPanel* level_ = nullptr;
+  MarkerPanel* markers_ = nullptr;
   OverviewPanel* overview_ = nullptr;
   bool searched_ = false;
 };

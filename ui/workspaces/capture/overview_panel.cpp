@@ -8,6 +8,7 @@
 #include "common/core_text.h"
 #include "common/format.h"
 #include "common/theme.h"
+#include "take/markers.h"
 
 namespace limbwave::ui {
 
@@ -23,10 +24,18 @@ OverviewPanel::OverviewPanel(StudioContext& context, QWidget* parent)
   connect(&context_.live(), &LiveModel::recording_changed, this, &OverviewPanel::follow_recording);
   connect(&context_.live(), &LiveModel::snapshot_changed, this, &OverviewPanel::append_new_samples);
   connect(&context_.live(), &LiveModel::recording_failed, this, [this] { follow_take(true); });
-  connect(&context_.live(), &LiveModel::marked, this, [this](const QString& text) {
-    if (growing_) {
-      growing_marks_.push_back({growing_->seconds(), text, false});
-      view_->set_marks(growing_marks_);
+  connect(&context_.document(), &TakeDocument::events_changed, this, &OverviewPanel::show_marks);
+  connect(&context_.markers(), &MarkerModel::changed, this, &OverviewPanel::show_marks);
+  connect(&context_.selection(), &Selection::changed, this,
+          [this] { view_->set_selected_mark(context_.selection().marker()); });
+  connect(view_, &OverviewView::mark_selected, this,
+          [this](std::int64_t number) { context_.selection().select_marker(number); });
+  connect(view_, &OverviewView::mark_moved, this, &OverviewPanel::move_mark);
+  connect(view_, &OverviewView::mark_removed, this, [this](std::int64_t number) { context_.markers().remove(number); });
+  connect(view_, &OverviewView::mark_activated, this, &OverviewPanel::rename_wanted);
+  connect(view_, &OverviewView::mark_wanted, this, [this](double time_s) {
+    if (context_.markers().add(time_s)) {
+      Q_EMIT rename_wanted(context_.markers().newest());
     }
   });
   follow_take(true);
@@ -36,14 +45,40 @@ void OverviewPanel::follow_recording() {
   if (context_.live().recording() && !growing_) {
     growing_ = std::make_shared<TakeOverview>();
     next_sample_ = -1.0;
-    growing_marks_.clear();
-    view_->set_marks({});
     view_->set_overview(growing_);
+    show_marks();
     title_->set_text(tr("What is being recorded"));
     show();
   } else if (!context_.live().recording()) {
     growing_.reset();  // The view keeps its picture until the take is read.
   }
+}
+
+void OverviewPanel::show_marks() {
+  std::vector<OverviewMark> marks;
+  const auto& take = context_.document().take();
+  if (take && !growing_) {
+    for (const take::TakeEvent& event : take->events) {
+      if (!take::is_marker(event)) {
+        const std::string& text = event.text.empty() ? event.kind : event.text;
+        marks.push_back({take->info.format.rate.seconds(event.sample).value, QString::fromStdString(text), true, 0});
+      }
+    }
+  }
+  for (const Marker& marker : context_.markers().markers()) {
+    marks.push_back({context_.markers().time_s(marker), marker.text, false, marker.number});
+  }
+  view_->set_marks(std::move(marks));
+}
+
+void OverviewPanel::move_mark(std::int64_t number, double time_s) {
+  // Keys that follow each other are one step of undo; a drag comes here once.
+  if (number != moved_number_ || !moved_.isValid() || moved_.elapsed() > 1000) {
+    ++gesture_;
+  }
+  moved_number_ = number;
+  moved_.start();
+  context_.markers().move(number, time_s, gesture_);
 }
 
 void OverviewPanel::append_new_samples() {
@@ -93,13 +128,7 @@ void OverviewPanel::follow_take(bool other) {
     }
   }
   title_->set_text(facts.join(QStringLiteral("  ·  ")));
-  std::vector<OverviewMark> marks;
-  for (const take::TakeEvent& event : take->events) {
-    marks.push_back({info.format.rate.seconds(event.sample).value,
-                     event.kind == "marker" ? QString::fromStdString(event.text) : core_text(event.text),
-                     event.kind != "marker"});
-  }
-  view_->set_marks(std::move(marks));
+  show_marks();
   if (!other) {
     return;
   }

@@ -1,6 +1,7 @@
 /// The signal of the recording while it grows, else of the open take, which is read in a job.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include "common/studio_context.h"
@@ -15,7 +16,13 @@ class OverviewPanel : public QWidget {
   explicit OverviewPanel(StudioContext& context, QWidget* parent = nullptr);
   [[nodiscard]] const OverviewView& view() const { return *view_; }
 
+ Q_SIGNALS:
+  /// A marker's name is to be changed.
+  void rename_wanted(std::int64_t number);
+
  private:
+  void show_marks();
+  void move_mark(std::int64_t number, double time_s);
   void follow_take(bool other);
   void follow_recording();
   void append_new_samples();
@@ -25,7 +32,9 @@ class OverviewPanel : public QWidget {
   Job* job_ = nullptr;
   std::shared_ptr<TakeOverview> growing_;  ///< Of the running recording, else null.
   double next_sample_ = -1.0;              ///< Of the stream: the first one that `growing_` has not seen.
-  std::vector<OverviewMark> growing_marks_;
+  QElapsedTimer moved_;                    ///< Since a marker was moved last.
+  std::int64_t moved_number_ = 0;
+  int gesture_ = 0;
 };
 
 }  // namespace limbwave::ui

@@ -1,8 +1,10 @@
 #include "workspaces/capture/source_bar.h"
 
+#include <QActionGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QToolButton>
 
@@ -10,6 +12,7 @@
 #include "common/icons.h"
 #include "common/theme.h"
 #include "common/widgets.h"
+#include "workspaces/capture/device_format.h"
 
 namespace limbwave::ui {
 
@@ -20,7 +23,8 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
       devices_(new QComboBox(this)),
       rigs_(new QComboBox(this)),
       refresh_(icon_button(QStringLiteral("refresh"), tr("Look for devices again"), this)),
-      format_(dim_label({}, this)) {
+      format_(new QToolButton(this)),
+      format_menu_(new QMenu(format_)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
@@ -39,6 +43,13 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   rigs_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   rigs_->setMinimumContentsLength(12);
   refresh_->setObjectName(QStringLiteral("refresh_devices"));
+  format_->setObjectName(QStringLiteral("format_button"));
+  format_->setPopupMode(QToolButton::InstantPopup);
+  format_->setMenu(format_menu_);
+  format_->setFocusPolicy(Qt::TabFocus);
+  format_menu_->setObjectName(QStringLiteral("format_menu"));
+  format_menu_->setToolTipsVisible(true);
+  connect(format_menu_, &QMenu::aboutToShow, this, &SourceBar::fill_format_menu);
   layout->addWidget(device_label);
   layout->addWidget(devices_, 3);
   layout->addWidget(refresh_);
@@ -55,12 +66,7 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   connect(&model_, &CaptureModel::setup_changed, this, &SourceBar::refresh);
   connect(&context_.live(), &LiveModel::state_changed, this, &SourceBar::refresh);
   connect(&context_.live(), &LiveModel::recording_changed, this, &SourceBar::refresh);
-  connect(&context_.live(), &LiveModel::snapshot_changed, this, [this] {
-    // The format is known with the first samples.
-    if (format_->text().isEmpty() || context_.live().snapshot() == nullptr) {
-      refresh();
-    }
-  });
+  connect(&context_.live(), &LiveModel::snapshot_changed, this, &SourceBar::refresh_format);
   refresh();
 }
 
@@ -80,21 +86,74 @@ void SourceBar::refresh() {
   const int chosen = live.state() == LiveState::kOff ? 0 : devices_->findData(live.device_id());
   devices_->setCurrentIndex(std::max(0, chosen));
   rigs_->clear();
-  for (const QString& rig : model_.rigs()) {
-    rigs_->addItem(rig, rig);
+  for (const RigChoice& rig : model_.rigs()) {
+    rigs_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
+    rigs_->setItemData(rigs_->count() - 1,
+                       tr("%1 (file %2)").arg(QString::fromStdString(rig.title), QString::fromStdString(rig.name)),
+                       Qt::ToolTipRole);
   }
   rigs_->setCurrentIndex(rigs_->findData(model_.rig()));
   const bool free = !live.recording() && !live.starting() && !live.finishing();
   devices_->setEnabled(free);
   rigs_->setEnabled(free && rigs_->count() > 0);
   refresh_->setEnabled(free && !model_.searching());
-  if (live.snapshot() && live.running()) {
-    format_->setText(tr("%1, %2 bit")
-                         .arg(format_rate(live.snapshot()->format.rate.hz))
-                         .arg(8 * acquire::bytes_per_sample(live.snapshot()->format.type)));
-  } else {
-    format_->clear();
+  rigs_->setToolTip(free ? tr("What is worn where: %1").arg(rigs_->currentText())
+                         : tr("Stop recording to choose another rig"));
+  devices_->setToolTip(free ? tr("Where the signal comes from: a sound card's line input, or the simulator")
+                            : tr("Stop recording to choose another device"));
+  refresh_format();
+}
+
+void SourceBar::refresh_format() {
+  const LiveModel& live = context_.live();
+  const bool free = !live.recording() && !live.starting() && !live.finishing();
+  const acquire::DeviceInfo* device = model_.device();
+  // The real format is known with the first samples.
+  const QString text = live.snapshot() && live.running() && live.snapshot()->format.rate.hz > 0.0
+                           ? format_words(live.snapshot()->format, model_.device_setup())
+                           : tr("Format");
+  if (format_->text() != text) {
+    format_->setText(text);
+    format_->setAccessibleName(tr("Sampling rate, sample format and inputs: %1").arg(text));
   }
+  format_->setVisible(device != nullptr);
+  format_->setEnabled(free && device != nullptr);
+  format_->setToolTip(free ? tr("Sampling rate, sample format and inputs")
+                           : tr("Stop recording to choose another format"));
+}
+
+void SourceBar::fill_format_menu() {
+  format_menu_->clear();
+  const acquire::DeviceInfo* device = model_.device();
+  if (device == nullptr) {
+    return;
+  }
+  const FormatChoices choices = format_choices(*device, model_.device_setup());
+  const auto add = [this](const QString& title, const std::vector<FormatChoice>& list) {
+    if (!format_menu_->isEmpty()) {
+      format_menu_->addSeparator();
+    }
+    // A disabled entry as heading: styles do not agree on whether they show a section's title.
+    QAction* heading = format_menu_->addAction(title);
+    heading->setEnabled(false);
+    QFont bold = heading->font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    auto* group = new QActionGroup(format_menu_);
+    connect(format_menu_, &QMenu::aboutToHide, group, &QObject::deleteLater);
+    for (const FormatChoice& choice : list) {
+      QAction* action = format_menu_->addAction(
+          choice.why_not.isEmpty() ? choice.text : tr("%1: %2").arg(choice.text, choice.why_not));
+      action->setCheckable(true);
+      action->setChecked(choice.chosen);
+      action->setEnabled(choice.why_not.isEmpty());
+      group->addAction(action);
+      connect(action, &QAction::triggered, this, [this, setup = choice.setup] { model_.set_device_setup(setup); });
+    }
+  };
+  add(tr("Sampling rate"), choices.rates);
+  add(tr("Sample format"), choices.types);
+  add(tr("Inputs"), choices.inputs);
 }
 
 }  // namespace limbwave::ui

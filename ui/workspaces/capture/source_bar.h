@@ -7,7 +7,7 @@
 #include "workspaces/capture/capture_model.h"
 
 class QComboBox;
-class QLabel;
+class QMenu;
 class QToolButton;
 
 namespace limbwave::ui {
@@ -20,12 +20,15 @@ class SourceBar : public QWidget {
 
  private:
   void refresh();
+  void refresh_format();
+  void fill_format_menu();
   StudioContext& context_;
   CaptureModel& model_;
   QComboBox* devices_;
   QComboBox* rigs_;
   QToolButton* refresh_;
-  QLabel* format_;
+  QToolButton* format_;
+  QMenu* format_menu_;
 };
 
 }  // namespace limbwave::ui

@@ -108,7 +108,6 @@ void SolveModel::follow_document(bool other) {
   ++attempt_;
   cancel();
   solve_soon_.stop();
-  context_.undo_stack().clear();
   solve_.reset();
   curves_.clear();
   truth_.reset();

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "common/core_text.h"
+#include "take/markers.h"
 #include "timeline/timeline_widget.h"
 #include "workspaces/solve/bone_card.h"
 #include "workspaces/solve/solve_model.h"
@@ -27,16 +28,16 @@ void show_take(StudioContext& context, SolveModel& model, TimelineCanvas& canvas
   std::vector<TimelineStretch> stretches;
   const double start = model.clip_start_s();
   const double duration = context.time().duration_s();
-  if (const auto& take = context.document().take()) {
+  if (const auto& take = context.document().take(); take && take->info.format.rate.hz > 0.0) {
     const SampleRate rate = take->info.format.rate;
-    for (std::size_t i = 0; i < take->events.size() && rate.hz > 0; ++i) {
-      const take::TakeEvent& event = take->events[i];
+    for (const take::TakeEvent& event : take->events) {
       const double time = rate.seconds(event.sample).value - start;
       if (time >= 0.0 && time <= duration) {
-        const QString text = event.kind == "marker" && !event.text.empty()
+        const QString text = take::is_marker(event) && !event.text.empty()
                                  ? QString::fromStdString(event.text)
                                  : core_text(event.text.empty() ? event.kind : event.text);
-        markers.push_back({time, kind_of(event.kind), text, static_cast<int>(i)});
+        markers.push_back(
+            {time, kind_of(event.kind), text, take::is_marker(event) ? static_cast<int>(event.count) : 0});
       }
     }
     for (const take::TakeSegment& segment : take->info.segments) {
@@ -70,6 +71,7 @@ QWidget* make_solve_timeline(StudioContext& context, QWidget* parent) {
   QObject::connect(&model, &SolveModel::solve_changed, timeline, refresh);
   QObject::connect(&context.time(), &TimeModel::extent_changed, timeline, refresh);
   QObject::connect(&context.document(), &TakeDocument::changed, timeline, refresh);
+  QObject::connect(&context.document(), &TakeDocument::events_changed, timeline, refresh);
   refresh();
 
   // One selection: of a key here is of a key everywhere, and the other way round.
@@ -79,7 +81,7 @@ QWidget* make_solve_timeline(StudioContext& context, QWidget* parent) {
     }
   });
   QObject::connect(&canvas, &TimelineCanvas::marker_clicked, timeline,
-                   [&context](int index) { context.selection().select(SelectionKind::kMarker, index); });
+                   [&context](int number) { context.selection().select_marker(number); });
   QObject::connect(&model.key_editor(), &KeyEditor::selection_changed, timeline, [&context, &model] {
     const auto& selected = model.key_editor().selected();
     if (!selected.empty()) {
