@@ -236,7 +236,9 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
   };
   services.demo_motions = [] { return std::vector<std::string>{"wave", "arm-raise", "reach", "walk", "box"}; };
   services.list_rigs = [] { return std::vector<std::string>{"line-in-arm"}; };
-  services.load_rig = [](const std::string&, const std::string&) -> Result<solve::LiveSettings> { return fake_rig(); };
+  services.load_rig = [](const std::string&, const std::string&, const std::string&) -> Result<solve::LiveSettings> {
+    return fake_rig();
+  };
   services.open_take = [](const std::filesystem::path& folder) -> Result<take::Take> {
     if (!std::filesystem::exists(folder / "take.json")) {
       return Error{"this is not a take", folder.string(), "choose a folder that ends in .take"};

@@ -61,7 +61,7 @@ void CaptureModel::load_rig_names() {
   if (!context_.services().load_rig) {
     return;
   }
-  const auto settings = context_.services().load_rig(rig_.toStdString(), subject_.toStdString());
+  const auto settings = context_.services().load_rig(rig_.toStdString(), subject_.toStdString(), {});
   if (!settings) {
     context_.notifications().post_error(tr("Rig %1").arg(rig_), settings.error());
     return;
