@@ -12,8 +12,8 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Joints whose position channels move less than this are rigid for all that anybody can see.
-constexpr double kRigid = 1e-3;
+// Joints whose position channels move less than this, metres, are rigid: the rest is how files round.
+constexpr double kRigid = 1e-5;
 
 }  // namespace
 
@@ -58,6 +58,7 @@ void BvhKeys::add(const std::vector<double>& values) {
       if (i == 0) {
         root_.push_back(to_world_axes(p, up_) * scale_);
       } else {
+        plan.positions.push_back(p);
         plan.sum += p;
         plan.lowest = plan.lowest.cwiseMin(p);
         plan.highest = plan.highest.cwiseMax(p);
@@ -88,6 +89,13 @@ void BvhKeys::finish(motion::Clip& clip, double frame_time, Diagnostics& diagnos
       clip.skeleton.segments[i].p_PL =
           plan.P_inverse * to_world_axes(Vector3d(added ? plan.offset + mean : mean), up_) * scale_;
       const double movement = (plan.highest - plan.lowest).norm() * scale_;
+      if (movement > kRigid) {
+        for (Vector3d& p : plan.positions) {
+          p = plan.P_inverse * to_world_axes(Vector3d(added ? p + plan.offset : p), up_) * scale_;
+        }
+        clip.joints[i].position.values = std::move(plan.positions);
+        clip.joints[i].position.times = times;
+      }
       if (movement > worst) {
         worst = movement;
         worst_joint = i;
@@ -101,7 +109,7 @@ void BvhKeys::finish(motion::Clip& clip, double frame_time, Diagnostics& diagnos
   if (worst > kRigid) {
     diagnostics.push_back(
         {Severity::kWarning, "bvh.joint-slides",
-         fmt::format("joints move within their parents, \"{}\" by {:.1f} mm; bones are taken as rigid",
+         fmt::format("joints slide in their parents, \"{}\" by {:.2f} mm; the skeleton has their mean places",
                      clip.skeleton.segments[worst_joint].name, worst * 1e3),
          "", ""});
   }

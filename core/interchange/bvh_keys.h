@@ -46,6 +46,7 @@ class BvhKeys {
     Eigen::Quaterniond P_inverse = Eigen::Quaterniond::Identity();  // the parent's frame at rest, inverted
     Eigen::Quaterniond L = Eigen::Quaterniond::Identity();          // the own frame at rest
     std::vector<Eigen::Quaterniond> rotations;
+    std::vector<Eigen::Vector3d> positions;  // as the file has them; of all joints but the root
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Vector3d lowest = Eigen::Vector3d::Constant(INFINITY);
     Eigen::Vector3d highest = Eigen::Vector3d::Constant(-INFINITY);

@@ -40,10 +40,12 @@ struct BvhReadOptions {
 };
 
 /// Reads BVH text; `place` names it in errors (FILE:LINE). Accepts any channel order, one to three rotation channels
-/// per joint, position channels on every joint (bones stay rigid: their mean is taken, movement above 1 mm reported),
+/// per joint, position channels on every joint (where they move, the joint slides, which is reported; its rest place is
+/// their mean),
 /// all line ends, tabs, lower case, names with spaces (made plain and unique), a byte order mark, `#` comments, and
-/// frame counts that do not match. Frame times within 1e-4 of a common rate are taken as that rate: 0.0083333 is
-/// 120 Hz. Memory is bounded by the size of the text, whatever it claims. Fails, with the line, on everything else.
+/// frame counts that do not match. Rounded frame times mean the common rate that rounds to them: 0.0083333 is 120 Hz
+/// (frame_rate.h). Memory is bounded by the size of the text, whatever it claims. Fails, with the line, on everything
+/// else.
 Result<motion::Clip> read_bvh(std::string_view text, const std::string& place, const BvhReadOptions& options = {});
 
 /// The same from a file; the clip gets the file's name.

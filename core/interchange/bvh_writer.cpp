@@ -103,6 +103,12 @@ class BvhText {
                        clip_.name, "solve the take again"};
         }
         previous[joint] = to_euler(to_y_up(R), order_, previous[joint]);
+        if (slides(joint)) {
+          const auto p = static_cast<std::size_t>(parent);
+          const Vector3d p_PL = motion::sample(clip_.joints[joint].position, static_cast<double>(frame) / fps_);
+          text_ += ' ';
+          vector(to_y_up(Vector3d(R_WL_rest_[p] * p_PL)) * unit_, digits_);
+        }
         for (const double angle : previous[joint]) {
           text_ += ' ';
           number(degrees(angle), kAngleDigits);
@@ -116,6 +122,10 @@ class BvhText {
   std::string take() { return std::move(text_); }
 
  private:
+  [[nodiscard]] bool slides(std::size_t joint) const {
+    return segments_[joint].parent >= 0 && joint < clip_.joints.size() && !clip_.joints[joint].position.empty();
+  }
+
   void indent(std::size_t depth) { text_.append(depth, '\t'); }
 
   // Fixed notation with a decimal point whatever the locale says; never "-0.000000".
@@ -155,7 +165,7 @@ class BvhText {
                       : Vector3d(R_WL_rest_[static_cast<std::size_t>(parent)] * segments_[joint].p_PL),
            depth + 1);
     indent(depth + 1);
-    text_ += depth == 0 ? "CHANNELS 6 Xposition Yposition Zposition" : "CHANNELS 3";
+    text_ += depth == 0 || slides(joint) ? "CHANNELS 6 Xposition Yposition Zposition" : "CHANNELS 3";
     for (const int axis : order_) {
       text_ += ' ';
       text_ += static_cast<char>('X' + axis);

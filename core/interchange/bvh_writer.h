@@ -24,7 +24,8 @@ struct BvhWriteOptions {
 
 /// The clip as BVH text: frames at multiples of 1/fps from 0 to the clip's duration, at least one.
 /// The rest pose of the file is the skeleton's, all joints' axes parallel to the file's; rotations are relative to it.
-/// The root's OFFSET is 0 and its position stands in the channels. Leaves end in an End Site at their length along the
+/// The root's OFFSET is 0 and its position stands in the channels; joints that slide have position channels too, which
+/// replace their OFFSET. Leaves end in an End Site at their length along the
 /// bone. Names are made plain and unique (names.h). Angles are unrolled: no jumps between frames. Independent of
 /// locale. Fails when the skeleton is empty, the frame rate is not positive, a key is not finite, or when cancelled.
 Result<std::string> bvh_text(const motion::Clip& clip, const BvhWriteOptions& options = {},

@@ -35,4 +35,15 @@ double frame_rate_from_text(double seconds, std::string_view digits) {
   return best;
 }
 
+double exact_frame_rate(double fps) {
+  for (const double whole : {24.0, 30.0, 48.0, 60.0, 120.0}) {
+    const double ntsc = whole / 1.001;
+    // 23.98 is as far as people round.
+    if (std::abs(fps - ntsc) < 2e-4 * whole && std::abs(fps - whole) > 5e-4 * whole) {
+      return ntsc;
+    }
+  }
+  return fps;
+}
+
 }  // namespace limbwave::interchange

@@ -11,6 +11,10 @@ namespace limbwave::interchange {
 /// 120 Hz and "0.0333" is 30 Hz, while "0.03" stays 33.3 Hz.
 double frame_rate_from_text(double seconds, std::string_view digits);
 
+/// 24/1.001 for "23.976", and so on for the other rates of NTSC television, which people write with two or three
+/// decimals; all other rates as they are.
+double exact_frame_rate(double fps);
+
 /// Frames per second that are written; and how many numbers a text file may have: what is more is a mistake in the
 /// frame rate or the key times, and would fill the memory.
 inline constexpr double kHighestFrameRate = 1e5;

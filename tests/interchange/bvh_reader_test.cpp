@@ -131,10 +131,13 @@ TEST(BvhReader, PositionChannelsOfJointsGiveTheirPlace) {
   Diagnostics findings;
   BvhReadOptions options;
   options.diagnostics = &findings;
-  EXPECT_NEAR(hand(must_read(with_positions("0 31 0", "0 33 0"), options)).z(), 1.32, 1e-12);
+  const motion::Clip sliding = must_read(with_positions("0 31 0", "0 33 0"), options);
+  EXPECT_NEAR(hand(sliding).z(), 1.31, 1e-12);
+  EXPECT_NEAR(motion::pose_at(sliding, sliding.duration())[1].p_WL.z(), 1.33, 1e-12);
+  EXPECT_NEAR(sliding.skeleton.segments[1].p_PL.norm(), 0.32, 1e-12);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].code, "bvh.joint-slides");
-  EXPECT_NE(findings[0].message.find("20.0 mm"), std::string::npos) << findings[0].text();
+  EXPECT_NE(findings[0].message.find("by 20.00 mm"), std::string::npos) << findings[0].text();
 }
 
 TEST(BvhReader, JointsWithoutChannelsStayAtRest) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <cmath>
 #include <filesystem>
 #include <locale>
 #include <set>
@@ -252,6 +253,23 @@ TEST(Bvh, ReadingAndWritingAgainGivesTheSameFile) {
       ASSERT_EQ(word_a, word_b);
     }
   }
+}
+
+TEST(BvhRoundTripOfSlidingJoints, KeepsEveryJointAtEveryKey) {
+  Clip clip = test::random_clip(12, 60, 60.0, 3);
+  for (const std::size_t joint : {2U, 7U}) {
+    motion::PositionTrack& track = clip.joints[joint].position;
+    track.times = clip.joints[joint].rotation.times;
+    for (std::size_t f = 0; f < track.times.size(); ++f) {
+      const double s = std::sin(0.1 * static_cast<double>(f));
+      track.values.push_back(clip.skeleton.segments[joint].p_PL * (1.0 + 0.1 * s));
+    }
+  }
+  const Result<std::string> text = bvh_text(clip);
+  ASSERT_TRUE(text.ok());
+  const Result<Clip> read = read_bvh(*text, "test");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  expect_same_motion(clip, *read);
 }
 
 }  // namespace
