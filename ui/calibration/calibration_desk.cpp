@@ -16,29 +16,7 @@ std::filesystem::path calibration_takes_folder() {
 
 calibrate::RigCalibration newest_of_library(const take::LibraryListing& listing, const body::Rig& rig,
                                             const std::string& subject) {
-  calibrate::RigCalibration calibration = calibrate::nominal_calibration(rig);
-  for (std::size_t s = 0; s < rig.accelerometers.size(); ++s) {
-    const body::Accelerometer& accelerometer = rig.accelerometers[s];
-    const std::string key = take::sensor_key(rig, accelerometer);
-    std::string newest;
-    for (const take::SensorRecord& record : listing.sensors) {
-      if (record.key == key && record.calibration.date >= newest) {
-        newest = record.calibration.date;
-        calibration.sensors[s] = record.calibration;
-      }
-    }
-    newest.clear();
-    for (const take::MountRecord& record : listing.mounts) {
-      for (const calibrate::MountCalibration& mount : record.mounts) {
-        if (record.rig == rig.name && record.subject == subject && mount.sensor == accelerometer.name &&
-            record.date >= newest) {
-          newest = record.date;
-          calibration.mounts[s] = mount;
-        }
-      }
-    }
-  }
-  return calibration;
+  return take::lookup(listing, rig, subject).calibration.value_or(calibrate::nominal_calibration(rig));
 }
 
 CalibrationDesk::CalibrationDesk(StudioContext& context, CalibrationSource& source, take::CalibrationLibrary library,
@@ -150,7 +128,7 @@ void CalibrationDesk::save(CalibrationChange change, std::function<void(const St
   }
   context_.jobs().start(
       tr("Saving the calibration"), this,
-      [library = library_, ranges = std::move(ranges), mounts = std::move(change.mounts), rig_name = rig().name,
+      [library = library_, ranges = std::move(ranges), mounts = std::move(change.mounts), rig = rig(),
        subject = wearer().toStdString()](const Progress&) -> Status {
         for (const auto& [key, range] : ranges) {
           if (const auto saved = library.save_sensor(key, range); !saved) {
@@ -158,7 +136,7 @@ void CalibrationDesk::save(CalibrationChange change, std::function<void(const St
           }
         }
         if (!mounts.empty()) {
-          if (const auto saved = library.save_mounts(rig_name, subject, mounts); !saved) {
+          if (const auto saved = library.save_mounts(rig, subject, mounts); !saved) {
             return saved.error();
           }
         }

@@ -78,7 +78,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   device_title_ = device_title;
   problem_.clear();
   remedy_.clear();
-  Result<solve::LiveSettings> settings = services_.load_rig(rig, subject.toStdString());
+  Result<solve::LiveSettings> settings = services_.load_rig(rig, subject.toStdString(), device_id.toStdString());
   if (!settings) {
     fail(settings.error());
     set_state(LiveState::kOff);

@@ -101,7 +101,8 @@ class SilentSource : public acquire::LiveSource {
 
 StudioServices capture_services() {
   StudioServices services;
-  services.load_rig = [](const std::string& name, const std::string&) -> Result<solve::LiveSettings> {
+  services.load_rig = [](const std::string& name, const std::string&,
+                         const std::string&) -> Result<solve::LiveSettings> {
     solve::LiveSettings settings;
     settings.rig = body::load_rig(name).value();
     settings.skeleton = body::load_skeleton(settings.rig.skeleton).value();

@@ -256,7 +256,9 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
     return std::vector<RigChoice>{{"line-in-arm", "Arm with five accelerometers on a sound card"},
                                   {"other", "Another board"}};
   };
-  services.load_rig = [](const std::string&, const std::string&) -> Result<solve::LiveSettings> { return fake_rig(); };
+  services.load_rig = [](const std::string&, const std::string&, const std::string&) -> Result<solve::LiveSettings> {
+    return fake_rig();
+  };
   services.open_take = [](const std::filesystem::path& folder) -> Result<take::Take> {
     if (!std::filesystem::exists(folder / "take.json")) {
       return Error{"this is not a take", folder.string(), "choose a folder that ends in .take"};

@@ -63,7 +63,7 @@ void CaptureModel::load_rig_names() {
   if (!context_.services().load_rig) {
     return;
   }
-  const auto settings = context_.services().load_rig(rig().toStdString(), subject().toStdString());
+  const auto settings = context_.services().load_rig(rig().toStdString(), subject().toStdString(), {});
   if (!settings) {
     context_.notifications().post_error(tr("Rig %1").arg(rig()), settings.error());
     return;

@@ -61,7 +61,7 @@ void OverviewPanel::show_marks() {
     for (const take::TakeEvent& event : take->events) {
       if (!take::is_marker(event)) {
         const std::string& text = event.text.empty() ? event.kind : event.text;
-        marks.push_back({take->info.format.rate.seconds(event.sample).value, QString::fromStdString(text), true, 0});
+        marks.push_back({take->info.format.rate.seconds(event.sample).value, core_text(text), true, 0});
       }
     }
   }
