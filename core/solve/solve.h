@@ -26,7 +26,7 @@ struct HeadingKey {
 
 struct SolveSettings {
   std::string name = "default";
-  Smoothing smoothing = Smoothing::kChain;
+  Smoothing smoothing = Smoothing::kAdaptive;
   double smoothing_s = 0.08;                      ///< Time scale; longer is smoother.
   std::vector<std::vector<HeadingKey>> headings;  ///< One list per segment; may be empty.
   decode::LineInParameters line_in;
