@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kOld = ".old";
+constexpr const char* kDamaged = ".damaged-";
 
 Status check_name(const std::string& name) {
   const bool plain =
@@ -64,7 +65,8 @@ Status write_parts(const fs::path& folder, const Solve& solve) {
   if (Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
     return status;
   }
-  if (Status status = write_file(folder / "settings.json", json_text(settings_to_json(solve.settings), 2) + "\n"); !status) {
+  if (Status status = write_file(folder / "settings.json", json_text(settings_to_json(solve.settings), 2) + "\n");
+      !status) {
     return status;
   }
   nlohmann::json quality = report_to_json(solve);
@@ -138,6 +140,40 @@ Status save_solve(const take::Take& take, const Solve& solve) {
   return status;
 }
 
+Result<SolveSettings> load_solve_settings(const take::Take& take, const std::string& name) {
+  if (Status status = check_name(name); !status) {
+    return status.error();
+  }
+  const fs::path file = take.folder / "solves" / name / "settings.json";
+  const Result<nlohmann::json> json = load_json(file);
+  if (!json) {
+    return json.error();
+  }
+  Result<SolveSettings> settings = settings_from_json(*json, file.string());
+  if (settings) {
+    settings->name = name;
+  }
+  return settings;
+}
+
+Result<fs::path> set_solve_aside(const take::Take& take, const std::string& name) {
+  if (Status status = check_name(name); !status) {
+    return status.error();
+  }
+  const fs::path solves = take.folder / "solves";
+  std::error_code code;
+  fs::path aside;
+  for (int number = 1; aside.empty() || fs::exists(aside, code); ++number) {
+    aside = solves / (name + kDamaged + std::to_string(number));
+  }
+  fs::rename(solves / name, aside, code);
+  if (code) {
+    return Error{"cannot be set aside (" + code.message() + ")", (solves / name).string(),
+                 "check that you may write into the take"};
+  }
+  return aside;
+}
+
 Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   if (Status status = check_name(name); !status) {
     return status.error();
@@ -183,8 +219,8 @@ Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   }
   const std::size_t frames = solve.clip.joints.empty() ? 0 : solve.clip.joints.front().rotation.times.size();
   damaged = damaged || std::any_of(solve.trust.begin(), solve.trust.end(), [&](const std::vector<float>& sensor) {
-    return !sensor.empty() && sensor.size() != frames;
-  });
+              return !sensor.empty() && sensor.size() != frames;
+            });
   if (damaged) {
     return Error{"is damaged", (folder / "quality.json").string(), "solve the take again"};
   }
@@ -200,7 +236,7 @@ std::vector<std::string> list_solves(const take::Take& take) {
     if (!fs::is_directory(entry, code)) {
       continue;
     }
-    if (!name.starts_with('.')) {
+    if (!name.starts_with('.') && name.find(kDamaged) == std::string::npos) {
       names.push_back(name);
     } else if (name.ends_with(kOld) && !fs::exists(solves / name.substr(1, name.size() - 1 - kOld.size()), code)) {
       names.push_back(name.substr(1, name.size() - 1 - kOld.size()));

@@ -61,6 +61,13 @@ class LiveModel : public QObject {
   /// Writes a line of the recording's events; false when nothing is recorded.
   bool write_event(const take::TakeEvent& event);
   void set_calibration(const calibrate::RigCalibration& calibration);
+  /// Somebody else wears the sensors: reads this person's mountings from the library in a job, a moment after the last
+  /// call. A recording that starts before is told first. Ends in `calibration_changed`.
+  void set_wearer(const QString& wearer);
+  /// Whose mountings `settings().calibration` has.
+  [[nodiscard]] const QString& wearer() const { return wearer_; }
+  /// The device was unplugged: what it last sent still shows, and it can be opened again.
+  [[nodiscard]] bool lost() const { return running() && snapshot_ && !snapshot_->source_alive; }
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings);
 
   /// A viewer has shown a pose: the times of its figure, with `taken` and `drawn`.
@@ -74,6 +81,7 @@ class LiveModel : public QObject {
   void snapshot_changed();
   void figure_ready();  ///< At once when a pose is there; several poses that come while the interface is busy are one.
   void recording_changed();
+  void calibration_changed();
   void source_lost();  ///< The device is gone; `problem()` says so.
   void recording_finished(const limbwave::take::Take& take);
   void aside_finished(const limbwave::take::Take& take);
@@ -82,6 +90,7 @@ class LiveModel : public QObject {
  private:
   void poll();
   void end_recording();
+  void load_wearer();
   void set_state(LiveState state);
   void fail(const Error& error);
 
@@ -94,7 +103,10 @@ class LiveModel : public QObject {
   solve::LiveSettings settings_;
   std::shared_ptr<LiveBackend> backend_;
   std::shared_ptr<const solve::LiveSnapshot> snapshot_;
-  QTimer timer_;
+  QString wearer_;         ///< Whose mountings are in use.
+  QString wanted_wearer_;  ///< Whose are to be.
+  std::string rig_name_;   ///< As asked for when opening.
+  QTimer timer_, wearer_timer_;
   std::uint64_t opening_ = 0;  ///< Counts attempts, so that one that was overtaken is dropped.
   solve::LatencyMeter drawn_;
   double counted_from_s_ = 0.0;  ///< Before that a capture is still finding its feet: caches, first frames.

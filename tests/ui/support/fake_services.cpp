@@ -67,6 +67,7 @@ class FakeBackend : public LiveBackend {
     take.info.format = FakeSource().format();
     take.info.frames = static_cast<std::int64_t>((steady_now_s() - recording_since_) * kRate);
     take.info.rig = settings_.rig;
+    take.info.calibration = settings_.calibration;
     take.events = take::events_in_force(line_->events);
     for (const take::TakeEvent& event : line_->events) {
       (void)take::append_event(folder_, event);
@@ -84,7 +85,7 @@ class FakeBackend : public LiveBackend {
     line_->events.push_back(event);
     return recording_since_ > 0.0;
   }
-  void set_calibration(const calibrate::RigCalibration&) override {}
+  void set_calibration(const calibrate::RigCalibration& calibration) override { settings_.calibration = calibration; }
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
 
   [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
@@ -102,7 +103,8 @@ class FakeBackend : public LiveBackend {
       finding.time_s = now;
     }
     shot->counters.overflows = line_->overflows;
-    shot->source_alive = line_->alive;
+    dead_ = dead_ || !line_->alive;  // What was unplugged does not come back by itself.
+    shot->source_alive = !dead_;
     shot->recording = recording_since_ > 0.0;
     shot->take_folder = folder_;
     shot->recorded_s = shot->recording ? steady_now_s() - recording_since_ : 0.0;
@@ -199,6 +201,7 @@ class FakeBackend : public LiveBackend {
   solve::LiveSettings settings_;
   double begin_;
   mutable std::uint64_t version_ = 0;
+  mutable bool dead_ = false;
   std::filesystem::path folder_;
   std::string subject_;
   std::atomic<double> recording_since_ = 0.0;
@@ -256,8 +259,17 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
     return std::vector<RigChoice>{{"line-in-arm", "Arm with five accelerometers on a sound card"},
                                   {"other", "Another board"}};
   };
-  services.load_rig = [](const std::string&, const std::string&, const std::string&) -> Result<solve::LiveSettings> {
-    return fake_rig();
+  services.load_rig = [line](const std::string&, const std::string& subject,
+                             const std::string&) -> Result<solve::LiveSettings> {
+    solve::LiveSettings settings = fake_rig();
+    settings.calibration = calibrate::nominal_calibration(settings.rig);
+    if (const auto found = line->mounted.find(subject); found != line->mounted.end()) {
+      for (calibrate::MountCalibration& mount : settings.calibration.mounts) {
+        mount.method = "two poses";
+        mount.date = found->second;
+      }
+    }
+    return settings;
   };
   services.open_take = [](const std::filesystem::path& folder) -> Result<take::Take> {
     if (!std::filesystem::exists(folder / "take.json")) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct FakeLine {
   std::vector<take::TakeEvent> events;  ///< Lines written into the running recording: markers and their changes.
   int opened = 0;                       ///< How often a device was opened.
   DeviceSetup setup;                    ///< How it was opened last.
+  /// By wearer: the date of the mountings that the library has. Others have none.
+  std::map<std::string, std::string> mounted;
 };
 
 /// A rig of five sensors without files.

@@ -38,7 +38,7 @@ CaptureModel::CaptureModel(StudioContext& context, QObject* parent) : QObject(pa
     rigs_ = context_.services().list_rigs();
   }
   setup_.rig = context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
-  setup_.subject = context.settings().value(QStringLiteral("capture/subject")).toString().left(200);
+  setup_.subject = context.wearer();
   const auto known = std::any_of(rigs_.begin(), rigs_.end(),
                                  [this](const RigChoice& rig) { return rig.name == setup_.rig.toStdString(); });
   if (!rigs_.empty() && !known) {
@@ -50,6 +50,13 @@ CaptureModel::CaptureModel(StudioContext& context, QObject* parent) : QObject(pa
   connect(&live, &LiveModel::recording_finished, this, [this] {
     setup_.name_typed = false;
     suggest_name();
+  });
+  connect(&live, &LiveModel::recording_failed, this, &CaptureModel::suggest_name);
+  connect(&context_, &StudioContext::wearer_changed, this, [this] {
+    if (setup_.subject != context_.wearer()) {
+      setup_.subject = context_.wearer();  // said elsewhere: in a wizard
+      suggest_name();
+    }
   });
 }
 
@@ -129,7 +136,7 @@ void CaptureModel::refresh_devices() {
         }
         Q_EMIT devices_changed();
         const QString last = context_.settings().value(QStringLiteral("capture/device")).toString();
-        if (context_.live().state() == LiveState::kOff && !last.isEmpty()) {
+        if ((context_.live().state() == LiveState::kOff || context_.live().lost()) && !last.isEmpty()) {
           open_device(last);
         }
       });
@@ -147,7 +154,7 @@ void CaptureModel::open_device(const QString& id) {
   }
   const auto device = std::find_if(devices_.begin(), devices_.end(),
                                    [&](const acquire::DeviceInfo& one) { return one.id == id.toStdString(); });
-  if (device == devices_.end() || (live.state() != LiveState::kOff && live.device_id() == id)) {
+  if (device == devices_.end() || (live.state() != LiveState::kOff && live.device_id() == id && !live.lost())) {
     return;
   }
   if (live.open(id, QString::fromStdString(device->title), rig().toStdString(), subject(),
@@ -194,7 +201,7 @@ bool CaptureModel::apply(const CaptureSetup& next) {
   }
   const bool other_rig = next.rig != setup_.rig;
   setup_ = next;
-  context_.settings().setValue(QStringLiteral("capture/subject"), subject());
+  context_.set_wearer(subject());
   if (other_rig) {
     context_.settings().setValue(QStringLiteral("capture/rig"), rig());
     load_rig_names();

@@ -56,8 +56,8 @@ class CaptureModel : public QObject {
   void set_rig(const QString& rig);
   void set_subject(const QString& subject);
   void set_take_name(const QString& name);
-  /// Takes go to another folder: other names are free there.
-  void follow_folder() { suggest_name(); }
+  /// Another name for the next take, unless the user has typed one: another folder, or this one's name is taken.
+  void suggest_name();
   void start_recording();
   void stop_recording();
   void toggle_recording();
@@ -74,7 +74,6 @@ class CaptureModel : public QObject {
   void change(const CaptureSetup& next, Field field, const QString& text);
   bool apply(const CaptureSetup& next);
   [[nodiscard]] QString suggested_name(const QString& subject) const;
-  void suggest_name();
   void load_rig_names();
 
   StudioContext& context_;
