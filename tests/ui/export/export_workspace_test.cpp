@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "base/files.h"
 #include "interchange/bvh_reader.h"
 #include "ui/support/solve_fixture.h"
 #include "viewer/viewer_widget.h"
@@ -149,6 +150,34 @@ class ExportWorkspaceTest : public QObject {
     studio_->model->pose_at(3.0, shown);
     const auto pose = motion::pose_at(*back, 1.0);
     QVERIFY((pose[3].p_WL - pose[2].p_WL - (shown[3].p_WL - shown[2].p_WL)).norm() < 1e-3);
+  }
+
+  void what_is_there_stays_until_the_new_file_is_whole() {
+    open(solving_->services());
+    ExportPlan plan;
+    plan.file = studio_->folder.filePath(QStringLiteral("old.bvh")).toStdString();
+    const auto content = [&] {
+      QFile read(QString::fromStdString(plan.file.string()));
+      return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
+    };
+    QFile old(QString::fromStdString(plan.file.string()));
+    QVERIFY(old.open(QIODevice::WriteOnly) && old.write("mine") == 4);
+    old.close();
+    const motion::Clip& clip = studio_->model->solve()->clip;
+    for (const double stop_at : {0.0, 0.69, 0.7, 0.9}) {
+      const auto result = export_clip(clip, plan, interchange::write_bvh,
+                                      Progress([&](double fraction, std::string_view) { return fraction < stop_at; }));
+      QVERIFY(!result.ok() && is_cancelled(result.error()));
+      QCOMPARE(content(), QByteArray("mine"));
+    }
+    const auto broken = [](const motion::Clip&, const std::filesystem::path& file, const interchange::BvhWriteOptions&,
+                           const Progress&) { return write_file(file, "HIERARCHY nonsense"); };
+    QVERIFY(!export_clip(clip, plan, broken, {}).ok());
+    QCOMPARE(content(), QByteArray("mine"));
+    QVERIFY(export_clip(clip, plan, interchange::write_bvh, {}).ok());
+    QVERIFY(content().startsWith("HIERARCHY"));
+    QCOMPARE(
+        QDir(studio_->folder.path()).entryList({QStringLiteral("*.part*")}, QDir::AllEntries | QDir::Hidden).size(), 0);
   }
 
   void edits_are_in_the_file() {

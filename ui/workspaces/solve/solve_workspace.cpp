@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -53,7 +54,6 @@ SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
   pages_->addWidget(main_page_);
   live_timer_.setInterval(kLiveStatusMs);
   follow_context();
-  show_curves();
   show_figure();
   show_state();
   follow_live();
@@ -69,6 +69,7 @@ QWidget* SolveWorkspace::make_toolbar() {
   live_button_ = new QPushButton(tr("Live"), bar);
   live_button_->setCheckable(true);
   live_button_->setToolTip(tr("Show what is being captured instead of the take"));
+  status_->setObjectName(QStringLiteral("solve_status"));
   row->addWidget(status_, 1);
   row->addWidget(live_button_);
   row->addSpacing(kGrid);
@@ -101,6 +102,23 @@ QWidget* SolveWorkspace::make_toolbar() {
   return bar;
 }
 
+QWidget* SolveWorkspace::make_failure_bar() {
+  failure_bar_ = new QWidget(this);
+  auto* row = new QHBoxLayout(failure_bar_);
+  row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
+  row->setSpacing(kGrid);
+  failure_ = new QLabel(failure_bar_);
+  failure_->setProperty("role", QStringLiteral("danger"));
+  failure_->setWordWrap(true);
+  retry_ = new QPushButton(tr("Try again"), failure_bar_);
+  calibrate_ = new QPushButton(tr("Calibrate"), failure_bar_);
+  row->addWidget(failure_, 1);
+  row->addWidget(calibrate_);
+  row->addWidget(retry_);
+  failure_bar_->hide();
+  return failure_bar_;
+}
+
 QWidget* SolveWorkspace::make_main_page() {
   auto* page = new QWidget(this);
   auto* layout = new QVBoxLayout(page);
@@ -109,6 +127,7 @@ QWidget* SolveWorkspace::make_main_page() {
   viewer_ = new ViewerWidget(page);
   curves_ = new CurvesPanel(context_.time(), page);
   layout->addWidget(make_toolbar());
+  layout->addWidget(make_failure_bar());
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(viewer_);
@@ -123,7 +142,6 @@ QWidget* SolveWorkspace::make_main_page() {
 void SolveWorkspace::follow_context() {
   connect(&model_, &SolveModel::state_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::solve_changed, this, [this] {
-    show_curves();
     show_figure();
     show_state();
   });
@@ -132,7 +150,9 @@ void SolveWorkspace::follow_context() {
       viewer_->set_extent({});  // The next solve places the camera anew.
     }
   });
-  connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_figure);
+  connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_skeleton);
+  connect(retry_, &QPushButton::clicked, &model_, &SolveModel::start);
+  connect(calibrate_, &QPushButton::clicked, this, [this] { context_.reveal(QStringLiteral("calibrate")); });
   connect(&model_, &SolveModel::pose_changed, this, &SolveWorkspace::show_pose);
   connect(&context_.time(), &TimeModel::playhead_changed, this, &SolveWorkspace::show_pose);
   connect(&context_.selection(), &Selection::changed, this, &SolveWorkspace::show_selection);
@@ -245,22 +265,26 @@ void SolveWorkspace::show_state() {
     empty_button_->setVisible(true);
   } else if (state == SolveState::kFailed) {
     const Error& error = model_.error();
-    QString what = core_text(error.message);
-    if (!what.isEmpty()) {
-      what[0] = what[0].toUpper();
-    }
-    QString remedy = core_text(error.remedy);
-    if (!remedy.isEmpty()) {
-      remedy[0] = remedy[0].toUpper();
-    }
+    const QString what = as_sentence(core_text(error.message));
+    const QString remedy = as_sentence(core_text(error.remedy));
     const QString place = QString::fromStdString(error.place);
     empty_->set_texts(
         tr("This take could not be solved"),
         QStringList{what, remedy, place}.filter(QRegularExpression(QStringLiteral("\\S"))).join(QStringLiteral("\n")));
     empty_button_->setText(tr("Try again"));
   }
+  const bool failed_again = state == SolveState::kFailed && model_.solve() && !live_;
+  failure_bar_->setVisible(failed_again);
+  calibrate_->setVisible(model_.settings().calibration != "nominal");
   if (live_) {
     return;
+  }
+  if (failed_again) {
+    // What is seen is the solve from before.
+    const Error& error = model_.error();
+    failure_->setText(tr("It could not be solved again; what you see is from before. %1 %2")
+                          .arg(as_sentence(core_text(error.message)), as_sentence(core_text(error.remedy)))
+                          .trimmed());
   }
   if (busy) {
     status_->set_text(state == SolveState::kLoading ? tr("Reading the solve…") : tr("Solving…"));
@@ -274,7 +298,7 @@ void SolveWorkspace::show_state() {
   }
 }
 
-void SolveWorkspace::show_figure() {
+void SolveWorkspace::show_skeleton() {
   const solve::LiveSettings& live = context_.live().settings();
   const body::Skeleton& skeleton = live_ ? live.skeleton : model_.skeleton();
   viewer_->set_skeleton(skeleton);
@@ -284,22 +308,20 @@ void SolveWorkspace::show_figure() {
   } else if (const auto& take = context_.document().take()) {
     viewer_->set_sensors(viewer_sensors(take->info.rig, skeleton));
   }
-  if (model_.solve()) {
-    const motion::Clip& clip = model_.solve()->clip;
-    viewer_->set_extent(motion_extent(clip, 60));
-  }
   show_selection();
   show_pose();
 }
 
-void SolveWorkspace::show_curves() {
+void SolveWorkspace::show_figure() {
   if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
+    viewer_->set_extent(motion_extent(clip, 60));
     curves_->set_curves(model_.curves(),
                         clip.joints.empty() ? std::vector<double>() : clip.joints.front().rotation.times);
   } else {
     curves_->set_curves({}, {});
   }
+  show_skeleton();
 }
 
 void SolveWorkspace::show_pose() {
@@ -348,9 +370,7 @@ void SolveWorkspace::reveal(const QString& topic) {
 
 void SolveWorkspace::keyPressEvent(QKeyEvent* event) {
   // F and the views work wherever in the workspace the focus is.
-  if (event->key() == Qt::Key_F || event->key() == Qt::Key_S || event->key() == Qt::Key_T) {
-    QCoreApplication::sendEvent(viewer_, event);
-  } else {
+  if (!viewer_->handle_key(event->key(), event->modifiers())) {
     Workspace::keyPressEvent(event);
   }
 }

@@ -9,6 +9,7 @@
 #include "workspaces/solve/solve_model.h"
 #include "workspaces/workspace.h"
 
+class QLabel;
 class QPushButton;
 class QStackedWidget;
 class QToolButton;
@@ -38,12 +39,13 @@ class SolveWorkspace : public Workspace {
  private:
   QWidget* make_toolbar();
   QWidget* make_main_page();
+  QWidget* make_failure_bar();
   void follow_context();
   void follow_live();
   void set_live(bool live);
   void show_state();
   void show_figure();
-  void show_curves();
+  void show_skeleton();
   void show_pose();
   void show_live_figure();
   void note_live_frame(double steady_time_s, double tag);
@@ -60,6 +62,9 @@ class SolveWorkspace : public Workspace {
   CurvesPanel* curves_ = nullptr;
   ElidedLabel* status_ = nullptr;
   QPushButton* live_button_ = nullptr;
+  QWidget* failure_bar_ = nullptr;  ///< Seen when solving again has failed.
+  QLabel* failure_ = nullptr;
+  QPushButton *retry_ = nullptr, *calibrate_ = nullptr;
   QToolButton* ghost_ = nullptr;
   QTimer live_timer_;
   struct ShownFigure {
