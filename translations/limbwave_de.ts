@@ -1099,14 +1099,6 @@
         <translation>niemandem mit Namen</translation>
     </message>
     <message>
-        <source>the calibration library lacks %1 of %2 entries for rig &quot;%3&quot; on %4 (%5)</source>
-        <translation>in der Kalibrierungsbibliothek fehlen %1 von %2 Einträgen für das Rig „%3“ an %4 (%5)</translation>
-    </message>
-    <message>
-        <source>calibration library: range %1, limbs of %2 %3</source>
-        <translation>Kalibrierungsbibliothek: Bereich %1, Gliedmaßen von %2 %3</translation>
-    </message>
-    <message>
         <source>is not in the calibration library</source>
         <translation>ist nicht in der Kalibrierungsbibliothek</translation>
     </message>
@@ -1563,14 +1555,6 @@
         <translation>wie im Take aufgezeichnet, von %1</translation>
     </message>
     <message>
-        <source>is worn by a rig that the calibration library does not know: %1</source>
-        <translation>wird mit einem Rig getragen, das die Kalibrierungsbibliothek nicht kennt: %1</translation>
-    </message>
-    <message>
-        <source>calibrate it first: limbwave calibrate</source>
-        <translation>zuerst kalibrieren: limbwave calibrate</translation>
-    </message>
-    <message>
         <source>from the data sheet alone</source>
         <translation>nur aus dem Datenblatt</translation>
     </message>
@@ -1597,6 +1581,74 @@
     <message>
         <source>If it happens often, check plugs and solder joints, close other programs or take a larger buffer</source>
         <translation>Kommt es oft vor: Stecker und Lötstellen prüfen, andere Programme schließen oder einen größeren Puffer nehmen</translation>
+    </message>
+    <message>
+        <source>at %1 samples per second a slot has only %2: readings are off by some thousandths of g and more</source>
+        <translation>bei %1 Abtastwerten pro Sekunde hat ein Zeitfach nur %2: Messwerte sind um einige Tausendstel g und mehr falsch</translation>
+    </message>
+    <message>
+        <source>Record at 44100 samples per second or more</source>
+        <translation>Mit 44100 Abtastwerten pro Sekunde oder mehr aufnehmen</translation>
+    </message>
+    <message>
+        <source>there is %1 Hz mains hum on the sensor channel, %2 % of the counter&apos;s swing; it is taken out as far as it is steady</source>
+        <translation>auf dem Sensorkanal ist Netzbrummen mit %1 Hz, %2 % des Zählerhubs; es wird entfernt, soweit es gleichmäßig ist</translation>
+    </message>
+    <message>
+        <source>is entered for two sensors</source>
+        <translation>ist für zwei Sensoren eingetragen</translation>
+    </message>
+    <message>
+        <source>serial &quot;%1&quot;</source>
+        <translation>Seriennummer „%1“</translation>
+    </message>
+    <message>
+        <source>give each sensor its own</source>
+        <translation>jedem Sensor eine eigene geben</translation>
+    </message>
+    <message>
+        <source>%1, but none of %2</source>
+        <translation>%1, aber keine von %2</translation>
+    </message>
+    <message>
+        <source>the calibration library has nothing for rig &quot;%1&quot; on %2</source>
+        <translation>die Kalibrierungsbibliothek hat nichts für das Rig „%1“ an %2</translation>
+    </message>
+    <message>
+        <source>calibration library: %1%2 %3</source>
+        <translation>Kalibrierungsbibliothek: %1%2 %3</translation>
+    </message>
+    <message>
+        <source>limbs of %1</source>
+        <translation>Gliedmaßen von %1</translation>
+    </message>
+    <message>
+        <source>cannot be set aside (%1)</source>
+        <translation>kann nicht beiseitegelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>the range of %1</source>
+        <translation>der Bereich von %1</translation>
+    </message>
+    <message>
+        <source>the mounting of %1</source>
+        <translation>die Befestigung von %1</translation>
+    </message>
+    <message>
+        <source>never calibrated, so from the data sheet: %1</source>
+        <translation>nie kalibriert, daher aus dem Datenblatt: %1</translation>
+    </message>
+    <message>
+        <source>calibrate these sensors, then solve again</source>
+        <translation>diese Sensoren kalibrieren, dann neu berechnen</translation>
+    </message>
+    <message>
+        <source>; completed by the %1</source>
+        <translation>; ergänzt durch: %1</translation>
+    </message>
+    <message>
+        <source>calibrate its sensors, or choose another --calibration</source>
+        <translation>seine Sensoren kalibrieren oder eine andere --calibration wählen</translation>
     </message>
 </context>
 <context>
@@ -2632,6 +2684,10 @@
         <source>The calibration&apos;s take has no segments</source>
         <translation>Der Take der Kalibrierung hat keine Abschnitte</translation>
     </message>
+    <message>
+        <source>The calibration is kept in the library, but what it was made for is closed: the capture or take at hand is unchanged.</source>
+        <translation>Die Kalibrierung ist in der Bibliothek, aber das, wofür sie gemacht wurde, ist geschlossen: die jetzige Erfassung oder der jetzige Take bleibt unverändert.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CaptureModel</name>
@@ -3379,6 +3435,10 @@
     <message>
         <source>Closing the take</source>
         <translation>Take wird geschlossen</translation>
+    </message>
+    <message>
+        <source>Reading the calibration of %1</source>
+        <translation>Kalibrierung von %1 wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -4235,20 +4295,8 @@
         <translation>%1 wird berechnet</translation>
     </message>
     <message>
-        <source>The saved solve could not be read; solving again.</source>
-        <translation>Die gespeicherte Berechnung war nicht lesbar; es wird neu berechnet.</translation>
-    </message>
-    <message>
         <source>Solving was cancelled</source>
         <translation>Die Berechnung wurde abgebrochen</translation>
-    </message>
-    <message>
-        <source>The solve could not be saved in the take.</source>
-        <translation>Die Berechnung ließ sich nicht im Take speichern.</translation>
-    </message>
-    <message>
-        <source>The solve could not be compared with the truth.</source>
-        <translation>Die Berechnung ließ sich nicht mit der Wahrheit vergleichen.</translation>
     </message>
     <message>
         <source>change length of %1</source>
@@ -4259,12 +4307,24 @@
         <translation>Berechnung wird gespeichert</translation>
     </message>
     <message>
-        <source>Your edits could not be saved in the take.</source>
-        <translation>Ihre Änderungen ließen sich nicht im Take speichern.</translation>
-    </message>
-    <message>
         <source>Comparing with the truth</source>
         <translation>Vergleich mit der Wahrheit</translation>
+    </message>
+    <message>
+        <source>The saved solve could not be read. It was solved again with its keys and settings; lengths are the rig&apos;s. What could not be read is kept in the take as %1.</source>
+        <translation>Die gespeicherte Berechnung war nicht lesbar. Es wurde mit ihren Schlüsseln und Einstellungen neu berechnet; die Längen sind die des Rigs. Das Unlesbare bleibt im Take als %1 erhalten.</translation>
+    </message>
+    <message>
+        <source>The saved solve could not be read, nor its keys. It was solved again without them. What could not be read is kept in the take as %1.</source>
+        <translation>Die gespeicherte Berechnung war nicht lesbar, auch ihre Schlüssel nicht. Es wurde ohne sie neu berechnet. Das Unlesbare bleibt im Take als %1 erhalten.</translation>
+    </message>
+    <message>
+        <source>The solve could not be compared with the truth</source>
+        <translation>Die Berechnung ließ sich nicht mit der Wahrheit vergleichen</translation>
+    </message>
+    <message>
+        <source>The solve could not be saved in the take</source>
+        <translation>Die Berechnung ließ sich nicht im Take speichern</translation>
     </message>
 </context>
 <context>
@@ -4360,6 +4420,14 @@
     <message>
         <source>%1 of motion, %2 frames at %3 Hz, smoothing: %4</source>
         <translation>%1 Bewegung, %2 Bilder mit %3 Hz, Glättung: %4</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>It could not be solved again; what you see is from before. %1 %2</source>
+        <translation>Es ließ sich nicht neu berechnen; was Sie sehen, ist von vorher. %1 %2</translation>
     </message>
 </context>
 <context>

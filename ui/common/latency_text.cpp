@@ -37,8 +37,9 @@ QString latency_sentences(const solve::LatencyReport& report, double device_s) {
           .arg(ms(total.mean_s), ms(total.p95_s), ms(total.max_s))
           .arg(report.poses);
   const QString parts =
-      LatencyText::tr("On average: one round of the board %1 ms, waiting for samples %2 ms, solving %3 ms, handing over "
-                      "%4 ms, drawing %5 ms.")
+      LatencyText::tr(
+          "On average: one round of the board %1 ms, waiting for samples %2 ms, solving %3 ms, handing over "
+          "%4 ms, drawing %5 ms.")
           .arg(mean(LatencyStage::kCycle), mean(LatencyStage::kArrival), mean(LatencyStage::kSolve),
                mean(LatencyStage::kHandover), mean(LatencyStage::kDraw));
   const QString rest =

@@ -35,6 +35,7 @@ struct LiveModel::Bell {
     }
   }
 };
+
 namespace {
 
 /// Ranges are the sensors', whoever wears them; mountings are the wearer's.

@@ -67,6 +67,7 @@ class HourTakeTest : public QObject {
     auto& curves = workspace.curves();
     auto* canvas = studio.window->findChild<TimelineCanvas*>();
     QVERIFY(canvas != nullptr);
+    QTRY_VERIFY(curves.width() > 300 && curves.height() > 50 && canvas->width() > 300);  // laid out
     TimeModel& time = studio.context->time();
     // A key every two seconds on one bone.
     for (int i = 0; i < 1800; ++i) {

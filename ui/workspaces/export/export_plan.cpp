@@ -83,8 +83,8 @@ Result<ExportResult> export_clip(const motion::Clip& whole, const ExportPlan& pl
                                  const Progress& progress) {
   const ExportRange range = range_of(plan, whole.duration());
   const bool all = range.duration_s() >= whole.duration();
-  const motion::Clip part = all ? motion::Clip() : motion::trimmed(whole, range.begin_s, range.end_s);
-  const motion::Clip& clip = all ? whole : part;
+  const motion::Clip cut = all ? motion::Clip() : motion::trimmed(whole, range.begin_s, range.end_s);
+  const motion::Clip& clip = all ? whole : cut;
   interchange::BvhWriteOptions options;
   options.fps = plan.fps;
   options.unit = plan.unit == ExportUnit::kMetres ? interchange::BvhUnit::kMetres : interchange::BvhUnit::kCentimetres;

@@ -54,7 +54,6 @@ SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
   pages_->addWidget(main_page_);
   live_timer_.setInterval(kLiveStatusMs);
   follow_context();
-  show_curves();
   show_figure();
   show_state();
   follow_live();
@@ -143,7 +142,6 @@ QWidget* SolveWorkspace::make_main_page() {
 void SolveWorkspace::follow_context() {
   connect(&model_, &SolveModel::state_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::solve_changed, this, [this] {
-    show_curves();
     show_figure();
     show_state();
   });
@@ -284,10 +282,9 @@ void SolveWorkspace::show_state() {
   if (failed_again) {
     // What is seen is the solve from before.
     const Error& error = model_.error();
-    failure_->setText(
-        tr("It could not be solved again; what you see is from before. %1 %2")
-            .arg(as_sentence(QString::fromStdString(error.message)), as_sentence(QString::fromStdString(error.remedy)))
-            .trimmed());
+    failure_->setText(tr("It could not be solved again; what you see is from before. %1 %2")
+                          .arg(as_sentence(core_text(error.message)), as_sentence(core_text(error.remedy)))
+                          .trimmed());
   }
   if (busy) {
     status_->set_text(state == SolveState::kLoading ? tr("Reading the solve…") : tr("Solving…"));
