@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "decode/line_in.h"
@@ -103,6 +105,62 @@ TEST_P(Electronics, KeepTheInclination) {
 INSTANTIATE_TEST_SUITE_P(RatesAndCorners, Electronics,
                          testing::Combine(testing::Values(44100.0, 48000.0, 96000.0, 192000.0),
                                           testing::Values(1.0, 5.0, 20.0)));
+
+/// Lines that no table asks for but that somebody will have: no reading is off by more than 6 mg, and nothing is said
+/// that is not true.
+TEST(OddLines, AreDecodedAllTheSame) {
+  const auto worst_mg = [](const LineInSignalSpec& spec, const Decoded& decoded) {
+    double worst = 0.0;
+    for (const LineInCycle& cycle : decoded.cycles) {
+      for (int j = 0; j < 15; ++j) {
+        const auto slot = static_cast<std::size_t>(j);
+        worst = std::max(worst, std::fabs(cycle.volts[slot] - test::true_volts(spec, j, cycle.sample[slot])));
+      }
+    }
+    return 1e3 * worst / 0.33;
+  };
+  const auto plain = [] {
+    LineInSignalSpec spec = test::paper_electronics(48000.0, 5.0);
+    spec.noise = 2e-4;
+    spec.seconds = 3.0;
+    spec.volts = [](int axis, double t) { return 1.65 + 0.3 * std::sin((1.0 + 0.4 * axis) * t + 1.7 * axis); };
+    return spec;
+  };
+  std::vector<std::pair<const char*, LineInSignalSpec>> lines;
+  const auto add = [&](const char* name, const std::function<void(LineInSignalSpec&)>& change) {
+    lines.emplace_back(name, plain());
+    change(lines.back().second);
+  };
+  add("64 kHz", [](auto& spec) { spec.rate = 64000.0; });
+  add("88.2 kHz", [](auto& spec) { spec.rate = 88200.0; });
+  add("176.4 kHz", [](auto& spec) { spec.rate = 176400.0; });
+  add("clock -3 % that wanders by 2 %", [](auto& spec) {
+    spec.clock_offset = -0.03;
+    spec.clock_wander = 0.02;
+  });
+  add("both channels inverted", [](auto& spec) { spec.left_inverted = spec.right_inverted = true; });
+  add("volume 5 %", [](auto& spec) {
+    spec.full_scale_volts /= 0.05;
+    spec.noise = 3e-5;
+  });
+  add("coupling 0.5 Hz", [](auto& spec) { spec.coupling_hz = spec.right_coupling_hz = 0.5; });
+  add("coupling 30 Hz, capacitors unlike", [](auto& spec) {
+    spec.coupling_hz = 30.0;
+    spec.right_coupling_hz = 21.0;
+    spec.full_scale_volts = 3.3;
+  });
+  add("offset of the card", [](auto& spec) { spec.dc_offset = -0.2; });
+  add("no coupling, offset", [](auto& spec) {
+    spec.coupling_hz = spec.right_coupling_hz = 0.0;
+    spec.dc_offset = 0.1;
+  });
+  for (const auto& [name, spec] : lines) {
+    const Decoded decoded = test::decode_signal(test::make_line_in_signal(spec).interleaved, spec.rate);
+    EXPECT_GT(decoded.cycles.size(), 160U) << name;
+    EXPECT_EQ(decoded.findings.size(), spec.left_inverted ? 2U : 0U) << name << "\n" << decoded.texts();
+    EXPECT_LT(worst_mg(spec, decoded), 6.0) << name;
+  }
+}
 
 }  // namespace
 }  // namespace limbwave::decode

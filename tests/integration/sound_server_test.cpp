@@ -47,6 +47,7 @@ motion::Clip solved_without_wire(const take::Take& take, const std::vector<doubl
   parameters.smoothing_s = settings.smoothing_s;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     std::vector<estimate::ForceSample> samples;
+    samples.reserve(take_times.size());
     for (const double time : take_times) {
       samples.push_back({time, felt.force(s, time), true});
     }
