@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "estimate/chain_window.h"
+#include "estimate/deviation.h"
 #include "geometry/so3.h"
 
 namespace limbwave::estimate {
@@ -20,6 +21,12 @@ constexpr double kOverlap = 3.0;
 constexpr double kBeliefReach = 2.0;
 constexpr double kQuiet = 0.15;
 constexpr double kSharp = 6.0;  // how sharply belief goes down
+// Rest: for how long to either side, and what turning (rad/s) and deviation from gravity (m/s²) are half of movement;
+// how far noise may seem larger than it is.
+constexpr double kRestReach = 0.15;
+constexpr double kSlow = 0.08;
+constexpr double kWeak = 0.3;
+constexpr double kNoisy = 1.3;
 // What calibration leaves of a direction, radians.
 constexpr double kLeastSd = 0.005;
 
@@ -95,6 +102,24 @@ std::vector<std::vector<double>> beliefs(const std::vector<double>& times,
   return result;
 }
 
+// How far a limb moves at all, 0..1. Where its readings stand still and are as strong as gravity it rests, and they
+// say how it is inclined by themselves.
+std::vector<double> movement(const std::vector<double>& times, const std::vector<ForceSample>& samples) {
+  const std::vector<double> changes = rms_around(times, reading_changes(times, samples), kRestReach);
+  const std::vector<double> noise = noise_around(samples, InclinationParameters{}.sensor_noise);
+  std::vector<double> result;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    // Noise of a slope through five readings, all axes together.
+    const double step = k == 0 ? times[1] - times[0] : times[k] - times[k - 1];
+    const double of_noise = kNoisy * noise[k] * std::sqrt(3.0 / 10.0) / step;
+    const double turning = std::sqrt(std::max(0.0, changes[k] * changes[k] - of_noise * of_noise)) / kStandardGravity;
+    const double deviation = std::max(0.0, deviation_around(samples, k, kRestReach, kRestReach) - kNoisy * noise[k]);
+    const double strength = std::pow(std::max(turning / kSlow, deviation / kWeak), kSharp);
+    result.push_back(strength / (1.0 + strength));
+  }
+  return result;
+}
+
 // `weight` of another estimate into one.
 void blend(Inclination& inclination, const Vector3d& up_L, double sd_rad, double weight) {
   const Vector3d mean = (1.0 - weight) * inclination.up_L + weight * up_L;
@@ -155,9 +180,10 @@ Result<std::vector<std::vector<Inclination>>> smooth_chain(const LimbChain& chai
     const std::vector<std::vector<double>> belief = beliefs(times, readings, *estimate, parameters);
     for (std::size_t i = 0; i < chain.links.size(); ++i) {
       const auto sensor = static_cast<std::size_t>(chain.sensors[i]);
+      const std::vector<double> moving = movement(times, readings[i]);
       for (std::size_t k = 0; k < times.size(); ++k) {
         Inclination own = start[sensor][window.begin + k];
-        blend(own, estimate->up_L[i][k], std::hypot(estimate->sd_rad[i][k], kLeastSd), belief[i][k]);
+        blend(own, estimate->up_L[i][k], std::hypot(estimate->sd_rad[i][k], kLeastSd), moving[k] * belief[i][k]);
         // From the window before, which ends within this one's beginning, to this one.
         Inclination& there = result[sensor][window.begin + k];
         const double since = times[k] - times.front();

@@ -36,7 +36,7 @@ struct ChainParameters {
   double half_belief = 0.16;
   /// The same for ½ χ² per link and instant: a rig that is right stays below 0.2, one with lengths a third wrong below
   /// 0.5, strangers are above 0.6.
-  double half_belief_cost = 0.5;
+  double half_belief_cost = 0.65;
 };
 
 /// One series per sensor of the rig, as `samples` and `start`, all with the same times; sensors that are not in the

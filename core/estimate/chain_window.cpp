@@ -27,24 +27,6 @@ constexpr double kLastDone = 1e-3;
 constexpr double kFirstDamping = 1e-7;
 constexpr double kLeastDamping = 1e-10;
 
-// How fast readings change, m/s³, without their noise.
-std::vector<double> changes(const std::vector<double>& times, const std::vector<ForceSample>& samples) {
-  std::vector<double> result(samples.size(), 0.0);
-  constexpr std::size_t kHalf = 2;
-  for (std::size_t i = kHalf; i + kHalf < samples.size(); ++i) {
-    Vector3d slope = Vector3d::Zero();
-    double square = 0.0;
-    for (std::size_t k = i - kHalf; k <= i + kHalf; ++k) {
-      const double t = times[k] - times[i];
-      slope += t * samples[k].f_L;
-      square += t * t;
-    }
-    slope /= square;
-    result[i] = std::isfinite(slope.norm()) ? slope.norm() : 0.0;
-  }
-  return result;
-}
-
 // What does not change from round to round.
 ChainWeights first_weights(const LimbChain& chain, const std::vector<double>& times,
                            const std::vector<std::vector<ForceSample>>& samples, const ChainParameters& parameters) {
@@ -53,7 +35,7 @@ ChainWeights first_weights(const LimbChain& chain, const std::vector<double>& ti
     std::vector<double>& turning = weights.turning_sd.emplace_back();
     std::vector<double>& rate = weights.rate_sd.emplace_back();
     std::vector<double> root;
-    for (const double change : rms_around(times, changes(times, samples[i]), kChangeReach)) {
+    for (const double change : rms_around(times, reading_changes(times, samples[i]), kChangeReach)) {
       const double turn = change / kStandardGravity;
       turning.push_back(std::hypot(parameters.least_turning_sd, parameters.turning_per_change * turn));
       rate.push_back(std::hypot(parameters.least_rate_sd, parameters.rate_per_change * turn));
@@ -194,6 +176,23 @@ ChainState chain_state_from(const LimbChain& chain, const std::vector<double>& t
   }
   state.q_W.assign(static_cast<std::size_t>(chain.roots()), std::vector<Vector3d>(count, Vector3d::Zero()));
   return state;
+}
+
+std::vector<double> reading_changes(const std::vector<double>& times, const std::vector<ForceSample>& samples) {
+  std::vector<double> result(samples.size(), 0.0);
+  constexpr std::size_t kHalf = 2;
+  for (std::size_t i = kHalf; i + kHalf < samples.size(); ++i) {
+    Vector3d slope = Vector3d::Zero();
+    double square = 0.0;
+    for (std::size_t k = i - kHalf; k <= i + kHalf; ++k) {
+      const double t = times[k] - times[i];
+      slope += t * samples[k].f_L;
+      square += t * t;
+    }
+    slope /= square;
+    result[i] = std::isfinite(slope.norm()) ? slope.norm() : 0.0;
+  }
+  return result;
 }
 
 std::vector<double> rms_around(const std::vector<double>& times, const std::vector<double>& values, double reach_s) {

@@ -29,6 +29,9 @@ std::optional<ChainEstimate> estimate_window(const LimbChain& chain, const std::
 ChainState chain_state_from(const LimbChain& chain, const std::vector<double>& times,
                             const std::vector<std::vector<Inclination>>& start, const ChainPriors& priors);
 
+/// How fast readings change, m/s³: the slope of a line through five of them; 0 where that cannot be told.
+std::vector<double> reading_changes(const std::vector<double>& times, const std::vector<ForceSample>& samples);
+
 /// Root mean square of the finite `values` over `reach_s` to either side of every time; 0 where there are none.
 std::vector<double> rms_around(const std::vector<double>& times, const std::vector<double>& values, double reach_s);
 

@@ -21,11 +21,14 @@ using testing_support::CommandLine;
 using testing_support::require;
 using testing_support::TemporaryFolder;
 
-TEST(WavToBvh, ThroughTheCommandLine) {
+class WavToBvh : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Motions, WavToBvh, ::testing::Values("arm-raise", "reach", "walk"));
+
+TEST_P(WavToBvh, ThroughTheCommandLine) {
   const TemporaryFolder folder;
   const CommandLine limbwave(folder.path());
-  ASSERT_EQ(limbwave.run({"simulate", "sim.take", "--motion", "reach", "--errors", "accurate", "--seed", "5"}).status,
-            0);
+  ASSERT_EQ(
+      limbwave.run({"simulate", "sim.take", "--motion", GetParam(), "--errors", "accurate", "--seed", "5"}).status, 0);
   // The recorder knows nothing of takes: only its WAV is taken over.
   std::filesystem::rename(folder / "sim.take/signal.wav", folder / "RECORD01.WAV");
   const auto imported = limbwave.run({"import", "walk.take", "RECORD01.WAV"});
