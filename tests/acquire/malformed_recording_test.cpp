@@ -108,7 +108,7 @@ TEST_F(MalformedRecording, Truncated) {
   EXPECT_EQ(outcome_of(WavBytes{.data = one_second, .declared = 480000 * 4}.bytes()),
             path.string() +
                 ": the recording is cut off: its header promises 10.0 s, but 1.0 s are there; copy it again "
-                "from the recorder");
+                "from the recorder, or accept what is there");
   EXPECT_EQ(outcome(path, {.accept_truncated = true}), "recording.truncated");
   // In the middle of the header, at every byte.
   const std::string whole = WavBytes{.data = one_second}.bytes();
