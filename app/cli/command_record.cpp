@@ -10,9 +10,12 @@
 #include "simulate/simulate.h"
 #include "solve/live_session.h"
 #include "solve/take_calibration.h"
+#include "take/board_book.h"
 
 namespace limbwave::cli {
 namespace {
+
+constexpr std::string_view kSimulator = "simulator:";
 
 struct Options {
   std::string take, device = "default", rig = "line-in-arm", subject, type = "int16", errors = "paper";
@@ -28,7 +31,6 @@ std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console
       format.type = type;
     }
   }
-  constexpr std::string_view kSimulator = "simulator:";
   if (options.device.starts_with(kSimulator)) {
     simulate::SimulateSettings settings;
     settings.motion = options.device.substr(kSimulator.size());
@@ -45,7 +47,12 @@ void record(const Options& options, bool as_json, Console& console) {
   solve::LiveSettings settings;
   settings.rig = console.check(body::load_rig(options.rig));
   settings.skeleton = console.check(body::load_skeleton(settings.rig.skeleton));
-  settings.calibration = solve::calibration_for_recording(settings.rig, options.subject);
+  // Calibrations are kept per physical sensor: which ones these are depends on the device.
+  settings.rig = options.device.starts_with(kSimulator)
+                     ? simulate::simulated_rig(std::move(settings.rig), simulate::SimulateSettings().seed)
+                     : take::rig_on_device(std::move(settings.rig), options.device);
+  const solve::RecordingCalibration calibration = solve::calibration_for_recording(settings.rig, options.subject);
+  settings.calibration = calibration.calibration;
   solve::LiveSession session(open_source(options, console), settings);
   console.check(session.start_recording(options.take, options.subject));
   console.check(session.start());
@@ -73,12 +80,15 @@ void record(const Options& options, bool as_json, Console& console) {
                         {"latency_mean_s", last->latency_mean_s},
                         {"latency_max_s", last->latency_max_s},
                         {"device_latency_s", last->device_latency_s},
+                        {"calibration", calibration.explanation},
                         {"diagnostics", diagnostics_to_json(last->diagnostics)}},
                        options.json);
   } else {
     console.print(fmt::format(
         "{}: {:.2f} s recorded; capture to pose {:.0f} ms mean, {:.0f} ms at most, beyond the device's {:.0f} ms",
         options.take, seconds, 1e3 * last->latency_mean_s, 1e3 * last->latency_max_s, 1e3 * last->device_latency_s));
+    console.print(calibration.explanation);
+    console.print(calibration.diagnostics);
     console.print(last->diagnostics);
   }
   if (!last->recording_error.empty()) {
