@@ -9,9 +9,12 @@
 #include "simulate/simulate.h"
 #include "solve/live_session.h"
 #include "solve/take_calibration.h"
+#include "take/board_book.h"
 
 namespace limbwave::cli {
 namespace {
+
+constexpr std::string_view kSimulator = "simulator:";
 
 struct Options {
   std::string take, device = "default", rig = "line-in-arm", subject, type = "int16", errors = "paper";
@@ -26,7 +29,6 @@ std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console
       format.type = type;
     }
   }
-  constexpr std::string_view kSimulator = "simulator:";
   if (options.device.starts_with(kSimulator)) {
     simulate::SimulateSettings settings;
     settings.motion = options.device.substr(kSimulator.size());
@@ -43,7 +45,12 @@ void record(const Options& options, Console& console) {
   solve::LiveSettings settings;
   settings.rig = console.check(body::load_rig(options.rig));
   settings.skeleton = console.check(body::load_skeleton(settings.rig.skeleton));
-  settings.calibration = solve::calibration_for_recording(settings.rig, options.subject);
+  // Calibrations are kept per physical sensor: which ones these are depends on the device.
+  settings.rig = options.device.starts_with(kSimulator)
+                     ? simulate::simulated_rig(std::move(settings.rig), simulate::SimulateSettings().seed)
+                     : take::rig_on_device(std::move(settings.rig), options.device);
+  const solve::RecordingCalibration calibration = solve::calibration_for_recording(settings.rig, options.subject);
+  settings.calibration = calibration.calibration;
   solve::LiveSession session(open_source(options, console), settings);
   console.check(session.start_recording(options.take, options.subject));
   console.check(session.start());
@@ -68,6 +75,8 @@ void record(const Options& options, Console& console) {
                   "device's {:.0f} ms",
                   options.take, static_cast<double>(take.info.frames) / take.info.format.rate.hz,
                   1e3 * last->latency_mean_s, 1e3 * last->latency_max_s, 1e3 * last->device_latency_s));
+  console.print(calibration.explanation);
+  console.print(calibration.diagnostics);
   console.print(last->diagnostics);
   if (!last->recording_error.empty()) {
     console.fail({"recording stopped early: " + last->recording_error, options.take, "what was recorded is kept"});

@@ -15,6 +15,7 @@ CycleDecoder::CycleDecoder(const LineInFormat& format, SampleRate rate, const Li
       parameters_(parameters),
       meter_(format, parameters.settle_fraction),
       coupling_(memory_cycles),
+      hum_(rate),
       monitor_(format, rate, log) {}
 
 void CycleDecoder::start(const LineJudgement& judgement, std::int64_t judged_until) {
@@ -23,6 +24,7 @@ void CycleDecoder::start(const LineJudgement& judgement, std::int64_t judged_unt
   clicks_ = ClickGuard(noise_);
   swing_ = SwingTracker(judgement.swing, judgement.right_inverted);
   reference_ = ReferenceFilter();
+  hum_ = HumTracker(rate_);
   meter_.unlink();
   left_inverted_ = judgement.left_inverted;
   judged_until_ = static_cast<double>(judged_until);
@@ -30,6 +32,7 @@ void CycleDecoder::start(const LineJudgement& judgement, std::int64_t judged_unt
 
 void CycleDecoder::unlink() {
   meter_.unlink();
+  hum_.unlink();
   reference_.restart();
   coupling_.unlink();
 }
@@ -59,6 +62,7 @@ void CycleDecoder::decode(const CycleBounds& bounds, const ChannelView& data, co
   const std::uint32_t clicks = clicks_.step(measured, slots, gain.swing);
   measured.broken = measured.clipped | clicks;
   const DecayRegression::Estimate estimate = data_coupling();
+  hum_.step(measured, slots, estimate.kappa, gain.usable);
   const auto line = reference_.step(measured, slots, estimate, noise_, kRestless * gain.swing);
   gain.usable = gain.usable && !line.jumped;
   const auto levels = relative_levels(measured, line, estimate.kappa, slots);
@@ -89,7 +93,7 @@ void CycleDecoder::decode(const CycleBounds& bounds, const ChannelView& data, co
     monitor_.watch_clicks(out, clicks);
   }
   if (!parameters_.coupling_hz) {
-    monitor_.watch_hum(out, reference_.unrest(), noise_ * std::sqrt(measured.data_noise_gain), gain.swing);
+    monitor_.watch_hum(out, hum_, reference_.unrest(), noise_ * std::sqrt(measured.data_noise_gain), gain.swing);
   }
 }
 

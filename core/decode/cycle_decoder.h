@@ -9,6 +9,7 @@
 #include "decode/coupling.h"
 #include "decode/cycle_measurement.h"
 #include "decode/finding_log.h"
+#include "decode/hum_tracker.h"
 #include "decode/line_in.h"
 #include "decode/line_judge.h"
 #include "decode/line_monitor.h"
@@ -52,6 +53,7 @@ class CycleDecoder {
   ReferenceFilter reference_;
   SwingTracker swing_{0.0, false};
   ClickGuard clicks_{0.0};
+  HumTracker hum_;
   LineMonitor monitor_;
   bool left_inverted_ = false;
   double judged_until_ = -std::numeric_limits<double>::infinity();

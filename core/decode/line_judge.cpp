@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kSilentRms = 2e-3;  // -54 dBFS: below it there is only noise
 constexpr double kMonoCorrelation = 0.98;
-constexpr double kLowestSwing = 0.02;  // peak to peak: -40 dBFS
+constexpr double kLowestSwing = 0.02;    // peak to peak: -40 dBFS
+constexpr double kFewestSamples = 30.0;  // a slot; with fewer a card's filter rings through all of it
 
 double decibels(double level) {
   return 20.0 * std::log10(std::max(level, 1e-9));
@@ -290,6 +291,15 @@ bool Judge::judge_polarity(const CounterSearch& search, const ChannelView& data,
 }
 
 void Judge::judge_levels(const Survey& survey, bool reference_told) {
+  const double slot = rate_.hz / (format_.cycle_rate_hz * format_.slots);
+  if (slot < kFewestSamples) {
+    find(Severity::kWarning, "line-in.low-rate",
+         fmt::format(
+             "at {:.0f} samples per second a slot has only {:.0f}: readings are off by some thousandths of g and "
+             "more",
+             rate_.hz, slot),
+         "Record at 44100 samples per second or more");
+  }
   const char* counter_name = result_.swapped ? "left" : "right";
   const char* data_name = result_.swapped ? "right" : "left";
   if (result_.swapped && !parameters_.swapped) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "decode/finding_log.h"
+#include "decode/hum_tracker.h"
 #include "decode/line_in.h"
 #include "decode/swing_tracker.h"
 
@@ -20,8 +21,9 @@ class LineMonitor {
   void step(const LineInCycle& cycle, bool counter_clipped, const SwingTracker::Reading& swing);
   /// Slots of a valid cycle within which something happened, bit per slot.
   void watch_clicks(const LineInCycle& cycle, std::uint32_t clicks);
-  /// RMS by which the reference level is off its prediction, and what of it noise explains, fractions of full scale.
-  void watch_hum(const LineInCycle& cycle, double unrest, double explained, double swing);
+  /// The hum that is taken out; and RMS by which the reference level is then still off its prediction, and what of it
+  /// noise explains, fractions of full scale.
+  void watch_hum(const LineInCycle& cycle, const HumTracker& hum, double unrest, double explained, double swing);
   /// Sums up what was clipped.
   void finish();
 

@@ -29,6 +29,10 @@ Vector3d ActualSensor::reading_g(const Vector3d& f_S) const {
   return M * (f_S / kStandardGravity) + offset_g;
 }
 
+std::string simulated_serial(std::uint64_t seed, std::size_t sensor) {
+  return fmt::format("SIM-{}-{}", seed, sensor + 1);
+}
+
 std::vector<ActualSensor> draw_sensors(const body::Rig& rig, const body::Skeleton& skeleton, const LineInErrors& errors,
                                        std::uint64_t seed) {
   Random offsets(seed, "sensor offset");
@@ -42,7 +46,7 @@ std::vector<ActualSensor> draw_sensors(const body::Rig& rig, const body::Skeleto
     const body::Accelerometer& nominal = rig.accelerometers[i];
     ActualSensor sensor;
     sensor.name = nominal.name;
-    sensor.serial = fmt::format("SIM-{}-{}", seed, i + 1);
+    sensor.serial = simulated_serial(seed, i);
     sensor.segment = skeleton.find(nominal.segment);
     sensor.R_LS = nominal.R_LS * geometry::exp_so3(drawn_vector(angles, errors.mount_angle));
     sensor.p_LS = nominal.p_LS + drawn_vector(positions, errors.mount_offset);

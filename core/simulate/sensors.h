@@ -33,7 +33,10 @@ struct ActualSensor {
   [[nodiscard]] Vector3d reading_g(const Vector3d& f_S) const;
 };
 
-/// One per accelerometer of the rig; the same for the same seed. Serials are "SIM-<seed>-<n>", n from 1.
+/// "SIM-<seed>-<n>", n from 1.
+std::string simulated_serial(std::uint64_t seed, std::size_t sensor);
+
+/// One per accelerometer of the rig; the same for the same seed.
 std::vector<ActualSensor> draw_sensors(const body::Rig& rig, const body::Skeleton& skeleton, const LineInErrors& errors,
                                        std::uint64_t seed);
 

@@ -34,6 +34,10 @@ struct SimulateSettings {
 
 std::vector<std::string> builtin_motions();
 
+/// The rig with the serials of the sensors that a simulation with this seed has: "SIM-<seed>-<n>", n from 1. What is
+/// captured live from the simulator goes by it, so that its calibrations are never taken for a real board's.
+body::Rig simulated_rig(body::Rig rig, std::uint64_t seed);
+
 /// Writes a whole take with truth.json. The folder must not exist. Cancelled or failed: nothing is left.
 Status simulate_take(const std::filesystem::path& folder, const SimulateSettings& settings, const Progress& progress);
 

@@ -32,6 +32,13 @@ double SensorVoltages::volts(int sensor, int axis, double time_s) {
   return board_.zero_g_volts + board_.volts_per_g * reading;
 }
 
+body::Rig simulated_rig(body::Rig rig, std::uint64_t seed) {
+  for (std::size_t s = 0; s < rig.accelerometers.size(); ++s) {
+    rig.accelerometers[s].serial = simulated_serial(seed, s);
+  }
+  return rig;
+}
+
 Result<std::unique_ptr<Simulation>> make_simulation(const SimulateSettings& settings) {
   const double rate = settings.format.rate.hz;
   if (!(rate >= 8000.0 && rate <= 768000.0)) {
@@ -62,9 +69,7 @@ Result<std::unique_ptr<Simulation>> make_simulation(const SimulateSettings& sett
     return wearer.error();
   }
   simulation->wearer = *wearer;
-  for (std::size_t i = 0; i < simulation->rig.accelerometers.size(); ++i) {
-    simulation->rig.accelerometers[i].serial = simulation->wearer->sensors()[i].serial;
-  }
+  simulation->rig = simulated_rig(*rig, settings.seed);
   simulation->voltages =
       std::make_unique<SensorVoltages>(simulation->wearer, rig->line_in, settings.errors, settings.seed);
   simulation->stream = std::make_unique<LineInStream>(rig->line_in, settings.errors, settings.format, settings.seed,

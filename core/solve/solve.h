@@ -63,6 +63,11 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
 /// Stores under TAKE/solves/NAME/, all-or-nothing; reads it back.
 Status save_solve(const take::Take& take, const Solve& solve);
 Result<Solve> load_solve(const take::Take& take, const std::string& name);
+/// The settings of a stored solve alone, with the user's heading keys: they may be whole where the clip is not.
+Result<SolveSettings> load_solve_settings(const take::Take& take, const std::string& name);
+/// Renames a stored solve that cannot be read to "NAME.damaged-1" (or the next free number) beside it, so that nothing
+/// overwrites it; `list_solves` passes it over. Returns its new folder.
+Result<std::filesystem::path> set_solve_aside(const take::Take& take, const std::string& name);
 std::vector<std::string> list_solves(const take::Take& take);
 
 }  // namespace limbwave::solve

@@ -13,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kDamaged = ".damaged-";
+
 Status check_name(const std::string& name) {
   const bool plain =
       !name.empty() && name.size() <= 100 && name.front() != '.' && name.find_first_of("/\\\0") == std::string::npos;
@@ -100,6 +102,40 @@ Status save_solve(const take::Take& take, const Solve& solve) {
   return {};
 }
 
+Result<SolveSettings> load_solve_settings(const take::Take& take, const std::string& name) {
+  if (Status status = check_name(name); !status) {
+    return status.error();
+  }
+  const fs::path file = take.folder / "solves" / name / "settings.json";
+  const Result<nlohmann::json> json = load_json(file);
+  if (!json) {
+    return json.error();
+  }
+  Result<SolveSettings> settings = settings_from_json(*json, file.string());
+  if (settings) {
+    settings->name = name;
+  }
+  return settings;
+}
+
+Result<fs::path> set_solve_aside(const take::Take& take, const std::string& name) {
+  if (Status status = check_name(name); !status) {
+    return status.error();
+  }
+  const fs::path solves = take.folder / "solves";
+  std::error_code code;
+  fs::path aside;
+  for (int number = 1; aside.empty() || fs::exists(aside, code); ++number) {
+    aside = solves / (name + kDamaged + std::to_string(number));
+  }
+  fs::rename(solves / name, aside, code);
+  if (code) {
+    return Error{"cannot be set aside (" + code.message() + ")", (solves / name).string(),
+                 "check that you may write into the take"};
+  }
+  return aside;
+}
+
 Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   if (Status status = check_name(name); !status) {
     return status.error();
@@ -143,7 +179,7 @@ std::vector<std::string> list_solves(const take::Take& take) {
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(take.folder / "solves", code)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_directory(code) && !name.starts_with('.')) {
+    if (entry.is_directory(code) && !name.starts_with('.') && name.find(kDamaged) == std::string::npos) {
       names.push_back(name);
     }
   }

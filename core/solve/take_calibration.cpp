@@ -103,6 +103,59 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
   return chosen;
 }
 
+// Takes over what `to` knows from the data sheet alone and `from` does not; returns how many entries that were.
+int complete_ranges(calibrate::RigCalibration& to, const calibrate::RigCalibration& from) {
+  int taken = 0;
+  for (std::size_t s = 0; s < to.sensors.size(); ++s) {
+    if (to.sensors[s].method == kNominal && from.sensors[s].method != kNominal) {
+      to.sensors[s] = from.sensors[s];
+      ++taken;
+    }
+  }
+  return taken;
+}
+
+int complete_mounts(calibrate::RigCalibration& to, const calibrate::RigCalibration& from) {
+  int taken = 0;
+  for (std::size_t s = 0; s < to.mounts.size(); ++s) {
+    if (to.mounts[s].method == kNominal && from.mounts[s].method != kNominal) {
+      to.mounts[s] = from.mounts[s];
+      ++taken;
+    }
+  }
+  return taken;
+}
+
+bool is_whole(const calibrate::RigCalibration& calibration) {
+  const auto measured = [](const auto& entry) { return entry.method != kNominal; };
+  return std::all_of(calibration.sensors.begin(), calibration.sensors.end(), measured) &&
+         std::all_of(calibration.mounts.begin(), calibration.mounts.end(), measured);
+}
+
+// Says of which sensors the data sheet stands in for a measurement; nothing when there are none.
+void name_gaps(const body::Rig& rig, ChosenCalibration& chosen) {
+  std::vector<std::string> ranges, mounts, parts;
+  for (std::size_t s = 0; s < rig.accelerometers.size(); ++s) {
+    if (chosen.calibration.sensors[s].method == kNominal) {
+      ranges.push_back(rig.accelerometers[s].name);
+    }
+    if (chosen.calibration.mounts[s].method == kNominal) {
+      mounts.push_back(rig.accelerometers[s].name);
+    }
+  }
+  if (!ranges.empty()) {
+    parts.push_back(fmt::format("the range of {}", fmt::join(ranges, ", ")));
+  }
+  if (!mounts.empty()) {
+    parts.push_back(fmt::format("the mounting of {}", fmt::join(mounts, ", ")));
+  }
+  if (!parts.empty()) {
+    chosen.diagnostics.push_back({Severity::kWarning, "calibration.partial",
+                                  fmt::format("never calibrated, so from the data sheet: {}", fmt::join(parts, "; ")),
+                                  "calibrate these sensors, then solve again", "", -1.0});
+  }
+}
+
 std::string newest_date(const calibrate::RigCalibration& calibration) {
   std::string newest;
   for (const calibrate::SensorCalibration& sensor : calibration.sensors) {
@@ -157,30 +210,50 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
   if (wanted == "snapshot" && !has_snapshot) {
     return Error{"has no calibration in it", take.folder.string(), "calibrate it, or choose another --calibration"};
   }
+  // A snapshot of which a part was never measured is completed from the take's own movements, then from the library.
+  calibrate::RigCalibration base =
+      automatic && has_snapshot ? *take.info.calibration : calibrate::nominal_calibration(rig);
+  std::optional<take::LibraryLookup> library;
+  int added = 0;
+  if ((automatic && !is_whole(base)) || wanted == "library") {
+    library = take::library_calibration(rig, take.info.subject);
+    if (automatic && library->calibration && find_segment(take, kRangeSegment) == nullptr) {
+      added = complete_ranges(base, *library->calibration);  // The take's own poses are read through them.
+    }
+  }
+  const auto completed = [&](ChosenCalibration chosen) {
+    if (automatic && library && library->calibration) {
+      added += complete_ranges(chosen.calibration, *library->calibration);
+      added += complete_mounts(chosen.calibration, *library->calibration);
+      if (added > 0) {
+        chosen.explanation += "; completed by the " + library->explanation;
+      }
+      add(chosen.diagnostics, library->diagnostics);
+    }
+    name_gaps(rig, chosen);
+    return chosen;
+  };
   if (automatic || wanted == "segments") {
-    // A snapshot of which a part was never measured is completed from the take's own movements.
-    const calibrate::RigCalibration base =
-        automatic && has_snapshot ? *take.info.calibration : calibrate::nominal_calibration(rig);
     if (std::optional<ChosenCalibration> chosen = from_segments(take, decoded, base)) {
-      return std::move(*chosen);
+      return completed(*std::move(chosen));
     }
     if (!automatic) {
       return Error{"has no calibration segments", take.folder.string(), "choose another --calibration"};
     }
   }
   if ((automatic || wanted == "snapshot") && has_snapshot) {
-    return ChosenCalibration{
-        *take.info.calibration, "snapshot", "as recorded in the take, of " + newest_date(*take.info.calibration), {}};
+    return completed({automatic ? base : *take.info.calibration,
+                      "snapshot",
+                      "as recorded in the take, of " + newest_date(*take.info.calibration),
+                      {}});
   }
-  if (automatic || wanted == "library") {
-    const take::LibraryLookup found = take::library_calibration(rig, take.info.subject);
-    if (found.calibration) {
-      return ChosenCalibration{*found.calibration, "library", found.explanation, found.diagnostics};
-    }
-    if (!automatic) {
-      return Error{"is worn by a rig that the calibration library does not know: " + found.explanation,
-                   take.folder.string(), "calibrate it first: limbwave calibrate"};
-    }
+  if (library && library->calibration) {
+    ChosenCalibration chosen{*library->calibration, "library", library->explanation, library->diagnostics};
+    name_gaps(rig, chosen);
+    return chosen;
+  }
+  if (wanted == "library") {
+    return Error{library->explanation, take.folder.string(), "calibrate its sensors, or choose another --calibration"};
   }
   if (automatic || wanted == "nominal") {
     ChosenCalibration chosen{calibrate::nominal_calibration(rig), "nominal", "from the data sheet alone", {}};
@@ -195,9 +268,10 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
                "use auto, snapshot, segments, library or nominal"};
 }
 
-calibrate::RigCalibration calibration_for_recording(const body::Rig& rig, const std::string& subject) {
+RecordingCalibration calibration_for_recording(const body::Rig& rig, const std::string& subject) {
   const take::LibraryLookup found = take::library_calibration(rig, subject);
-  return found.calibration ? *found.calibration : calibrate::nominal_calibration(rig);
+  return {found.calibration ? *found.calibration : calibrate::nominal_calibration(rig), found.explanation,
+          found.diagnostics};
 }
 
 }  // namespace limbwave::solve

@@ -46,8 +46,14 @@ struct ChosenCalibration {
 Result<ChosenCalibration> choose_calibration(const take::Take& take, const DecodedTake& decoded,
                                              const std::string& wanted);
 
-/// What a new recording starts with: the library's where it has one, else nominal.
-calibrate::RigCalibration calibration_for_recording(const body::Rig& rig, const std::string& subject);
+/// What a new recording starts with.
+struct RecordingCalibration {
+  /// Of the library what it has for each sensor, the data sheet's for the rest.
+  calibrate::RigCalibration calibration;
+  std::string explanation;  ///< One line for people: from when and of whom it is, and what is missing.
+  Diagnostics diagnostics;  ///< Records of the library that could not be read.
+};
+RecordingCalibration calibration_for_recording(const body::Rig& rig, const std::string& subject);
 
 /// True when anything in it was measured rather than taken from the data sheet.
 bool is_measured(const calibrate::RigCalibration& calibration);

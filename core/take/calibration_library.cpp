@@ -6,7 +6,6 @@
 #include <cctype>
 #include <chrono>
 #include <ctime>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -90,11 +89,18 @@ Result<MountRecord> read_mounts(const fs::path& path) {
   }
   JsonReader::State state{path.string(), {}};
   const JsonReader reader(*json, "", state);
-  reader.allow({"schema", "rig", "subject", "date", "mounts"});
+  reader.allow({"schema", "rig", "subject", "date", "mounts", "keys"});
   (void)reader.at("schema").integer(1, 1);
-  MountRecord record{reader.at("rig").string(), reader.at("subject").string(), reader.at("date").string(), {}, path};
+  MountRecord record{
+      reader.at("rig").string(), reader.at("subject").string(), reader.at("date").string(), {}, path, {}};
   for (const JsonReader& mount : reader.at("mounts").items()) {
     record.mounts.push_back(calibrate::mount_calibration_from_json(mount));
+  }
+  if (reader.has("keys")) {
+    for (const JsonReader& key : reader.at("keys").items()) {
+      record.keys.push_back(key.string());
+    }
+    record.keys.resize(record.mounts.size());
   }
   if (state.error) {
     return *state.error;
@@ -130,10 +136,53 @@ bool is_real(const std::string& method) {
   return !method.empty() && method != "nominal";
 }
 
-std::string dates_text(std::string first, std::string last) {
-  first = day(first);
-  last = day(last);
-  return first == last ? "of " + first : "of " + first + " to " + last;
+// "of 2026-03-01 to 2026-04-01"
+std::string dates_text(const std::vector<std::string>& dates) {
+  const auto [first, last] = std::minmax_element(dates.begin(), dates.end());
+  return day(*first) == day(*last) ? "of " + day(*first) : "of " + day(*first) + " to " + day(*last);
+}
+
+// "range of 2026-03-01, but none of hand and fingers"
+std::string part_text(const std::string& what, const std::vector<std::string>& dates,
+                      const std::vector<std::string>& without) {
+  if (dates.empty()) {
+    return "no " + what;
+  }
+  const std::string found = what + " " + dates_text(dates);
+  return without.empty() ? found : fmt::format("{}, but none of {}", found, fmt::join(without, ", "));
+}
+
+// The sensor that a mount is of; empty when the rig has none of this name.
+std::string mount_key(const body::Rig& rig, const calibrate::MountCalibration& mount) {
+  const auto found = std::find_if(rig.accelerometers.begin(), rig.accelerometers.end(),
+                                  [&](const body::Accelerometer& one) { return one.name == mount.sensor; });
+  return found == rig.accelerometers.end() ? std::string() : sensor_key(rig, *found);
+}
+
+// The board's own name of a mount's sensor; empty where the record does not say.
+std::string key_of(const MountRecord& record, std::size_t mount) {
+  return mount < record.keys.size() ? record.keys[mount] : std::string();
+}
+
+// Where the record says which sensor it was, another board's is not taken for it.
+bool is_of(const MountRecord& record, std::size_t mount, const std::string& key) {
+  const std::string known = key_of(record, mount);
+  return known.empty() || known == key;
+}
+
+// The newest that this subject's mounting of this sensor has; null where there is none.
+const calibrate::MountCalibration* newest_mount(const LibraryListing& listing, const body::Rig& rig, std::size_t sensor,
+                                                const std::string& subject) {
+  const body::Accelerometer& accelerometer = rig.accelerometers[sensor];
+  const std::string key = sensor_key(rig, accelerometer);
+  for (const MountRecord& record : listing.mounts) {
+    for (std::size_t m = 0; record.rig == rig.name && record.subject == subject && m < record.mounts.size(); ++m) {
+      if (record.mounts[m].sensor == accelerometer.name && is_of(record, m, key)) {
+        return &record.mounts[m];
+      }
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -155,7 +204,7 @@ Result<fs::path> CalibrationLibrary::save_sensor(const std::string& key,
       {{"schema", 1}, {"key", key}, {"calibration", calibrate::sensor_calibration_to_json(calibration)}});
 }
 
-Result<fs::path> CalibrationLibrary::save_mounts(const std::string& rig, const std::string& subject,
+Result<fs::path> CalibrationLibrary::save_mounts(const body::Rig& rig, const std::string& subject,
                                                  std::vector<calibrate::MountCalibration> mounts) const {
   std::string date;
   for (calibrate::MountCalibration& mount : mounts) {
@@ -165,14 +214,21 @@ Result<fs::path> CalibrationLibrary::save_mounts(const std::string& rig, const s
     date = std::max(date, mount.date);
   }
   if (mounts.empty()) {
-    return Error{"there is no limb calibration to keep", rig, "calibrate at least one sensor"};
+    return Error{"there is no limb calibration to keep", rig.name, "calibrate at least one sensor"};
   }
   nlohmann::json list = nlohmann::json::array();
+  nlohmann::json keys = nlohmann::json::array();
   for (const calibrate::MountCalibration& mount : mounts) {
     list.push_back(calibrate::mount_calibration_to_json(mount));
+    keys.push_back(mount_key(rig, mount));
   }
-  return save_record(folder_ / "mounts" / file_name(rig) / file_name(subject), date,
-                     {{"schema", 1}, {"rig", rig}, {"subject", subject}, {"date", date}, {"mounts", std::move(list)}});
+  return save_record(folder_ / "mounts" / file_name(rig.name) / file_name(subject), date,
+                     {{"schema", 1},
+                      {"rig", rig.name},
+                      {"subject", subject},
+                      {"date", date},
+                      {"mounts", std::move(list)},
+                      {"keys", std::move(keys)}});
 }
 
 Status CalibrationLibrary::save(const body::Rig& rig, const std::string& subject,
@@ -196,10 +252,15 @@ Status CalibrationLibrary::save(const body::Rig& rig, const std::string& subject
   }
   const auto is_known_mount = [&](const calibrate::MountCalibration& mount) {
     return std::any_of(known.mounts.begin(), known.mounts.end(), [&](const MountRecord& record) {
-      return record.rig == rig.name && record.subject == subject &&
-             std::any_of(record.mounts.begin(), record.mounts.end(), [&](const calibrate::MountCalibration& other) {
-               return calibrate::mount_calibration_to_json(other) == calibrate::mount_calibration_to_json(mount);
-             });
+      return record.rig == rig.name && record.subject == subject && [&] {
+        for (std::size_t m = 0; m < record.mounts.size(); ++m) {
+          if (is_of(record, m, mount_key(rig, mount)) &&
+              calibrate::mount_calibration_to_json(record.mounts[m]) == calibrate::mount_calibration_to_json(mount)) {
+            return true;
+          }
+        }
+        return false;
+      }();
     });
   };
   std::vector<calibrate::MountCalibration> mounts;
@@ -209,7 +270,7 @@ Status CalibrationLibrary::save(const body::Rig& rig, const std::string& subject
   if (mounts.empty()) {
     return {};
   }
-  const Result<fs::path> saved = save_mounts(rig.name, subject, std::move(mounts));
+  const Result<fs::path> saved = save_mounts(rig, subject, std::move(mounts));
   return saved ? Status{} : Status(saved.error());
 }
 
@@ -246,52 +307,43 @@ LibraryListing CalibrationLibrary::list() const {
 }
 
 LibraryLookup CalibrationLibrary::lookup(const body::Rig& rig, const std::string& subject) const {
-  const LibraryListing listing = list();
+  return take::lookup(list(), rig, subject);
+}
+
+LibraryLookup lookup(const LibraryListing& listing, const body::Rig& rig, const std::string& subject) {
   LibraryLookup result;
   result.diagnostics = listing.diagnostics;
   // Newest first, so that the first one of each stays.
-  std::map<std::string, const calibrate::SensorCalibration*> sensors;
-  for (const SensorRecord& record : listing.sensors) {
-    sensors.emplace(record.key, &record.calibration);
-  }
-  std::map<std::string, const calibrate::MountCalibration*> mounts;
-  for (const MountRecord& record : listing.mounts) {
-    if (record.rig == rig.name && record.subject == subject) {
-      for (const calibrate::MountCalibration& mount : record.mounts) {
-        mounts.emplace(mount.sensor, &mount);
-      }
-    }
-  }
-  calibrate::RigCalibration calibration;
-  std::vector<std::string> sensor_dates, mount_dates;
-  for (const body::Accelerometer& accelerometer : rig.accelerometers) {
-    const auto sensor = sensors.find(sensor_key(rig, accelerometer));
-    const auto mount = mounts.find(accelerometer.name);
-    if (sensor == sensors.end()) {
-      result.missing.push_back(accelerometer.name + ": no range calibration");
+  calibrate::RigCalibration calibration = calibrate::nominal_calibration(rig);
+  std::vector<std::string> range_dates, mount_dates, without_range, without_mount;
+  for (std::size_t s = 0; s < rig.accelerometers.size(); ++s) {
+    const std::string& name = rig.accelerometers[s].name;
+    const std::string key = sensor_key(rig, rig.accelerometers[s]);
+    const auto sensor = std::find_if(listing.sensors.begin(), listing.sensors.end(),
+                                     [&](const SensorRecord& record) { return record.key == key; });
+    if (sensor != listing.sensors.end()) {
+      calibration.sensors[s] = sensor->calibration;
+      range_dates.push_back(sensor->calibration.date);
     } else {
-      calibration.sensors.push_back(*sensor->second);
-      sensor_dates.push_back(sensor->second->date);
+      without_range.push_back(name);
+      result.missing.push_back(name + ": no range calibration");
     }
-    if (mount == mounts.end()) {
-      result.missing.push_back(accelerometer.name + ": no limb calibration");
+    if (const calibrate::MountCalibration* mount = newest_mount(listing, rig, s, subject)) {
+      calibration.mounts[s] = *mount;
+      mount_dates.push_back(mount->date);
     } else {
-      calibration.mounts.push_back(*mount->second);
-      mount_dates.push_back(mount->second->date);
+      without_mount.push_back(name);
+      result.missing.push_back(name + ": no limb calibration");
     }
   }
   const std::string whose = subject.empty() ? "no named subject" : "\"" + subject + "\"";
-  if (!result.missing.empty() || rig.accelerometers.empty()) {
-    result.explanation =
-        fmt::format("the calibration library lacks {} of {} entries for rig \"{}\" on {} ({})", result.missing.size(),
-                    2 * rig.accelerometers.size(), rig.name, whose, fmt::join(result.missing, "; "));
+  if (range_dates.empty() && mount_dates.empty()) {
+    result.explanation = fmt::format("the calibration library has nothing for rig \"{}\" on {}", rig.name, whose);
     return result;
   }
-  const auto [sensor_first, sensor_last] = std::minmax_element(sensor_dates.begin(), sensor_dates.end());
-  const auto [mount_first, mount_last] = std::minmax_element(mount_dates.begin(), mount_dates.end());
   result.explanation =
-      fmt::format("calibration library: range {}, limbs of {} {}", dates_text(*sensor_first, *sensor_last), whose,
-                  dates_text(*mount_first, *mount_last));
+      fmt::format("calibration library: {}{} {}", part_text("range", range_dates, without_range),
+                  without_range.empty() ? "," : ";", part_text("limbs of " + whose, mount_dates, without_mount));
   result.calibration = std::move(calibration);
   return result;
 }

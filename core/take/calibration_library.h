@@ -31,6 +31,9 @@ struct MountRecord {
   std::string date;
   std::vector<calibrate::MountCalibration> mounts;
   std::filesystem::path file;
+  /// `sensor_key` of each mount's sensor, so that another board's mounting is not taken for this one's; empty in
+  /// records that were written without.
+  std::vector<std::string> keys;
 };
 
 /// Everything in the library, newest first; files that could not be read are findings, not failures.
@@ -42,12 +45,17 @@ struct LibraryListing {
 
 /// What the library knows about one rig on one subject.
 struct LibraryLookup {
-  /// One entry per accelerometer, the newest of each; empty when any is missing.
+  /// One entry per accelerometer: the newest of each, the data sheet's where there is none. Empty only when the library
+  /// has nothing at all for this rig.
   std::optional<calibrate::RigCalibration> calibration;
   std::vector<std::string> missing;  ///< One line each: "forearm: no range calibration".
-  std::string explanation;           ///< Where it came from, or what is missing and what to do; for people.
+  std::string explanation;           ///< Where it came from, and what is missing; one line for people.
   Diagnostics diagnostics;           ///< Files that could not be read.
 };
+
+/// What the listing of a library knows about one rig on one subject. Ranges are found by sensor alone: they hold on
+/// whoever wears it. Mounts are the subject's.
+LibraryLookup lookup(const LibraryListing& listing, const body::Rig& rig, const std::string& subject);
 
 class CalibrationLibrary {
  public:
@@ -60,7 +68,7 @@ class CalibrationLibrary {
   /// Adds a range calibration; its `date` is set to now when empty. Returns the file.
   Result<std::filesystem::path> save_sensor(const std::string& key, calibrate::SensorCalibration calibration) const;
   /// Adds a limb calibration of some or all sensors of a rig. Returns the file.
-  Result<std::filesystem::path> save_mounts(const std::string& rig, const std::string& subject,
+  Result<std::filesystem::path> save_mounts(const body::Rig& rig, const std::string& subject,
                                             std::vector<calibrate::MountCalibration> mounts) const;
   /// Both for all sensors of a rig that were really calibrated (method other than "nominal") and are not in the library
   /// already.

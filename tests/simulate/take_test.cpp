@@ -61,6 +61,7 @@ TEST_F(SimulatedTake, OpensWithRigSerialsSegmentsAndTruth) {
   EXPECT_TRUE(opened->diagnostics.empty());
   EXPECT_TRUE(opened->info.complete);
   EXPECT_EQ(opened->info.rig.accelerometers[2].serial, "SIM-9-3");
+  EXPECT_EQ(simulated_rig(*body::load_rig("line-in-arm"), 9).accelerometers[2].serial, "SIM-9-3") << "live as well";
   EXPECT_EQ(opened->info.skeleton.segments.size(), 5U);
   std::vector<std::string> names;
   for (const take::TakeSegment& segment : opened->info.segments) {

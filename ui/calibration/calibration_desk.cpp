@@ -16,36 +16,41 @@ std::filesystem::path calibration_takes_folder() {
 
 calibrate::RigCalibration newest_of_library(const take::LibraryListing& listing, const body::Rig& rig,
                                             const std::string& subject) {
-  calibrate::RigCalibration calibration = calibrate::nominal_calibration(rig);
-  for (std::size_t s = 0; s < rig.accelerometers.size(); ++s) {
-    const body::Accelerometer& accelerometer = rig.accelerometers[s];
-    const std::string key = take::sensor_key(rig, accelerometer);
-    std::string newest;
-    for (const take::SensorRecord& record : listing.sensors) {
-      if (record.key == key && record.calibration.date >= newest) {
-        newest = record.calibration.date;
-        calibration.sensors[s] = record.calibration;
-      }
+  return take::lookup(listing, rig, subject).calibration.value_or(calibrate::nominal_calibration(rig));
+}
+
+namespace {
+
+bool same_sensors(const body::Rig& a, const body::Rig& b) {
+  return a.name == b.name &&
+         std::equal(a.accelerometers.begin(), a.accelerometers.end(), b.accelerometers.begin(), b.accelerometers.end(),
+                    [](const auto& x, const auto& y) { return x.name == y.name && x.serial == y.serial; });
+}
+
+calibrate::RigCalibration with_change(calibrate::RigCalibration calibration, const CalibrationChange& change) {
+  for (const auto& [sensor, range] : change.ranges) {
+    if (const auto s = static_cast<std::size_t>(sensor); s < calibration.sensors.size()) {
+      calibration.sensors[s] = range;
     }
-    newest.clear();
-    for (const take::MountRecord& record : listing.mounts) {
-      for (const calibrate::MountCalibration& mount : record.mounts) {
-        if (record.rig == rig.name && record.subject == subject && mount.sensor == accelerometer.name &&
-            record.date >= newest) {
-          newest = record.date;
-          calibration.mounts[s] = mount;
-        }
-      }
+  }
+  for (const calibrate::MountCalibration& mount : change.mounts) {
+    const auto found = std::find_if(calibration.mounts.begin(), calibration.mounts.end(),
+                                    [&](const auto& candidate) { return candidate.sensor == mount.sensor; });
+    if (found != calibration.mounts.end()) {
+      *found = mount;
     }
   }
   return calibration;
 }
+
+}  // namespace
 
 CalibrationDesk::CalibrationDesk(StudioContext& context, CalibrationSource& source, take::CalibrationLibrary library,
                                  QObject* parent)
     : QObject(parent), context_(context), source_(source), library_(std::move(library)) {
   connect(&source_, &CalibrationSource::changed, this, &CalibrationDesk::follow);
   connect(&context_.document(), &TakeDocument::changed, this, &CalibrationDesk::follow);
+  connect(&context_, &StudioContext::wearer_changed, this, &CalibrationDesk::follow);
   connect(&source_, &CalibrationSource::recording_closed, this, [this](const take::Take& take) {
     if (recording_ && take.folder == recording_folder_) {
       end_recording();  // It ended by itself: the device is gone.
@@ -84,12 +89,11 @@ QString CalibrationDesk::wearer() const {
   if (subject() == Subject::kTake) {
     return QString::fromStdString(context_.document().take()->info.subject);
   }
-  return context_.settings().value(QStringLiteral("capture/subject")).toString();
+  return context_.wearer().trimmed();
 }
 
 void CalibrationDesk::set_wearer(const QString& wearer) {
-  context_.settings().setValue(QStringLiteral("capture/subject"), wearer.trimmed());
-  Q_EMIT changed();
+  context_.set_wearer(wearer.trimmed());
 }
 
 void CalibrationDesk::follow() {
@@ -104,6 +108,10 @@ void CalibrationDesk::follow() {
   if (has_rig() && (calibration_.sensors.size() != rig().accelerometers.size() ||
                     calibration_.mounts.size() != rig().accelerometers.size())) {
     calibration_ = calibrate::nominal_calibration(rig());
+  }
+  if (has_rig()) {
+    known_rig_ = rig();
+    known_ = calibration_;
   }
   Q_EMIT changed();
 }
@@ -129,44 +137,65 @@ void CalibrationDesk::refresh() {
       });
 }
 
-void CalibrationDesk::save(CalibrationChange change, std::function<void(const Status&)> done) {
-  if (!has_rig()) {
-    done(Error{"the capture was closed meanwhile", "", "open the device again"});
-    return;
+CalibrationDesk::Target CalibrationDesk::target() const {
+  Target target;
+  target.subject = subject();
+  if (has_rig()) {
+    target.rig = rig();
+    target.skeleton = skeleton();
+    target.wearer = wearer();
   }
-  calibrate::RigCalibration next = calibration_;
+  if (target.subject == Subject::kTake) {
+    target.take = context_.document().take()->folder;
+  }
+  return target;
+}
+
+bool CalibrationDesk::is_current(const Target& target) const {
+  return has_rig() && target.subject == subject() && same_sensors(target.rig, rig()) &&
+         (target.subject != Subject::kTake || target.take == context_.document().take()->folder);
+}
+
+const calibrate::RigCalibration& CalibrationDesk::calibration_of(const Target& target) const {
+  if (same_sensors(target.rig, known_rig_)) {
+    return known_;
+  }
+  nominal_ = calibrate::nominal_calibration(target.rig);
+  return nominal_;
+}
+
+void CalibrationDesk::save(const Target& target, CalibrationChange change, std::function<void(const Status&)> done) {
   std::vector<std::pair<std::string, calibrate::SensorCalibration>> ranges;
   for (const auto& [sensor, range] : change.ranges) {
-    const auto s = static_cast<std::size_t>(sensor);
-    next.sensors.at(s) = range;
-    ranges.emplace_back(take::sensor_key(rig(), rig().accelerometers.at(s)), range);
-  }
-  for (const calibrate::MountCalibration& mount : change.mounts) {
-    const auto found = std::find_if(next.mounts.begin(), next.mounts.end(),
-                                    [&](const auto& candidate) { return candidate.sensor == mount.sensor; });
-    if (found != next.mounts.end()) {
-      *found = mount;
+    if (const auto s = static_cast<std::size_t>(sensor); s < target.rig.accelerometers.size()) {
+      ranges.emplace_back(take::sensor_key(target.rig, target.rig.accelerometers[s]), range);
     }
   }
+  const QString wearer = target.subject == Subject::kTake ? target.wearer : context_.wearer().trimmed();
+  std::vector<calibrate::MountCalibration> mounts = change.mounts;
   context_.jobs().start(
       tr("Saving the calibration"), this,
-      [library = library_, ranges = std::move(ranges), mounts = std::move(change.mounts), rig_name = rig().name,
-       subject = wearer().toStdString()](const Progress&) -> Status {
+      [library = library_, ranges = std::move(ranges), mounts = std::move(mounts), rig = target.rig,
+       subject = wearer.toStdString()](const Progress&) -> Status {
         for (const auto& [key, range] : ranges) {
           if (const auto saved = library.save_sensor(key, range); !saved) {
             return saved.error();
           }
         }
         if (!mounts.empty()) {
-          if (const auto saved = library.save_mounts(rig_name, subject, mounts); !saved) {
+          if (const auto saved = library.save_mounts(rig, subject, mounts); !saved) {
             return saved.error();
           }
         }
         return {};
       },
-      [this, next = std::move(next), done = std::move(done)](const Status& status) {
-        if (status) {
-          apply(next);
+      [this, target, change = std::move(change), done = std::move(done)](const Status& status) {
+        if (status && is_current(target)) {
+          apply(with_change(calibration_, change));
+        } else if (status) {
+          context_.notifications().post(
+              Severity::kWarning, tr("The calibration is kept in the library, but what it was made for is closed: "
+                                     "the capture or take at hand is unchanged."));
         }
         refresh();
         done(status);

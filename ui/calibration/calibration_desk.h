@@ -42,6 +42,20 @@ class CalibrationDesk : public QObject {
   [[nodiscard]] const body::Rig& rig() const;
   [[nodiscard]] const body::Skeleton& skeleton() const;
   [[nodiscard]] const calibrate::RigCalibration& calibration() const { return calibration_; }
+  /// What a wizard works on from its first page to its verdict, whatever becomes of the device or the take meanwhile.
+  struct Target {
+    Subject subject = Subject::kNone;
+    std::filesystem::path take;  ///< Of the open take.
+    QString wearer;              ///< Of the open take; of a live capture it is who is typed in last.
+    body::Rig rig;
+    body::Skeleton skeleton;
+  };
+  [[nodiscard]] Target target() const;
+  /// The same capture or take is still the one at hand, with the same sensors.
+  [[nodiscard]] bool is_current(const Target& target) const;
+  /// One entry per sensor of the target at any time: the present calibration, else the last one known, else nominal.
+  [[nodiscard]] const calibrate::RigCalibration& calibration_of(const Target& target) const;
+
   /// Who wears it: mountings are kept per person. Of the take, or as typed.
   [[nodiscard]] QString wearer() const;
   void set_wearer(const QString& wearer);
@@ -53,8 +67,8 @@ class CalibrationDesk : public QObject {
   /// Reads the library anew; ends in `changed`.
   void refresh();
 
-  /// Saves to the library, then applies. `done` is told how it went.
-  void save(CalibrationChange change, std::function<void(const Status&)> done);
+  /// Saves to the library, then applies, if the target is still at hand. `done` is told how it went.
+  void save(const Target& target, CalibrationChange change, std::function<void(const Status&)> done);
   /// Makes it the one of the running capture (every take recorded from now on carries it), or of the open take; the
   /// latter can be undone.
   void apply(const calibrate::RigCalibration& calibration);
@@ -97,6 +111,9 @@ class CalibrationDesk : public QObject {
   take::CalibrationLibrary library_;
   take::LibraryListing listing_;
   calibrate::RigCalibration calibration_;
+  body::Rig known_rig_;              ///< What `known_` is of.
+  calibrate::RigCalibration known_;  ///< The last one of a rig, also when that is gone.
+  mutable calibrate::RigCalibration nominal_;
   std::filesystem::path recording_folder_;
   std::vector<Segment> segments_;
   std::vector<Closing> closing_;

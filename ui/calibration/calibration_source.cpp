@@ -18,6 +18,7 @@ LiveCalibrationSource::LiveCalibrationSource(LiveModel& live, QObject* parent)
     last_time_s_ = -1.0;
     Q_EMIT changed();
   });
+  connect(&live_, &LiveModel::calibration_changed, this, &CalibrationSource::changed);
   connect(&live_, &LiveModel::recording_changed, this, &LiveCalibrationSource::follow_recording);
   connect(&live_, &LiveModel::aside_finished, this, &CalibrationSource::recording_closed);
   connect(&live_, &LiveModel::recording_failed, this, &CalibrationSource::recording_failed);
@@ -29,7 +30,6 @@ bool LiveCalibrationSource::running() const {
 
 void LiveCalibrationSource::set_calibration(const calibrate::RigCalibration& calibration) {
   live_.set_calibration(calibration);
-  Q_EMIT changed();
 }
 
 bool LiveCalibrationSource::start_recording(const std::filesystem::path& folder, const QString& subject) {

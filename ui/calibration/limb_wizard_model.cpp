@@ -43,8 +43,9 @@ void LimbWizardModel::set_page(LimbPage page) {
 
 void LimbWizardModel::begin(int sensor, bool only) {
   ++attempt_;
-  rig_ = desk_.has_rig() ? desk_.rig() : body::Rig{};
-  skeleton_ = desk_.has_rig() ? desk_.skeleton() : body::Skeleton{};
+  target_ = desk_.target();
+  rig_ = target_.rig;
+  skeleton_ = target_.skeleton;
   outcomes_.clear();
   checks_.clear();
   refusal_ = {};
@@ -54,11 +55,11 @@ void LimbWizardModel::begin(int sensor, bool only) {
   int chosen = -1;
   for (int g = 0; g < static_cast<int>(rig_.groups.size()) && chosen < 0; ++g) {
     const std::vector<int>& members = rig_.groups[static_cast<std::size_t>(g)].sensors;
-    const bool wanted = sensor >= 0
-                            ? std::find(members.begin(), members.end(), sensor) != members.end()
-                            : std::any_of(members.begin(), members.end(), [this](int s) {
-                                return is_nominal(desk_.calibration().mounts[static_cast<std::size_t>(s)].method);
-                              });
+    const bool wanted =
+        sensor >= 0 ? std::find(members.begin(), members.end(), sensor) != members.end()
+                    : std::any_of(members.begin(), members.end(), [this](int s) {
+                        return is_nominal(desk_.calibration_of(target_).mounts[static_cast<std::size_t>(s)].method);
+                      });
     chosen = wanted ? g : -1;
   }
   choose_group(std::max(0, chosen));
@@ -93,7 +94,7 @@ QStringList LimbWizardModel::without_range() const {
   QStringList names;
   for (const int sensor : sensors_) {
     const auto s = static_cast<std::size_t>(sensor);
-    if (is_nominal(desk_.calibration().sensors.at(s).method)) {
+    if (is_nominal(desk_.calibration_of(target_).sensors.at(s).method)) {
       names << QString::fromStdString(rig_.accelerometers.at(s).name);
     }
   }
@@ -207,10 +208,10 @@ void LimbWizardModel::start_poses(const std::vector<int>& sensors) {
 }
 
 void LimbWizardModel::make_calibrator() {
-  calibrator_ = std::make_unique<calibrate::LimbCalibrator>(rig_, desk_.calibration(), group_, held_by_);
+  calibrator_ = std::make_unique<calibrate::LimbCalibrator>(rig_, desk_.calibration_of(target_), group_, held_by_);
   calibrator_->push(0, frames_[0]);
   calibrator_->push(1, frames_[1]);
-  meter_ = MovementMeter(held_by_, desk_.calibration());
+  meter_ = MovementMeter(held_by_, desk_.calibration_of(target_));
   holders_.clear();
   for (const int sensor : held_by_) {
     holders_.push_back({sensor, {}, false});
@@ -253,7 +254,7 @@ void LimbWizardModel::start_hold() {
 }
 
 void LimbWizardModel::take_frames(const std::vector<decode::AccelerationFrame>& frames) {
-  if ((page_ != LimbPage::kHold && page_ != LimbPage::kCountdown) || frames.empty()) {
+  if ((page_ != LimbPage::kHold && page_ != LimbPage::kCountdown) || frames.empty() || !desk_.is_current(target_)) {
     return;
   }
   // Movement is shown during the countdown too, but only what is held counts.

@@ -45,6 +45,7 @@ class LimbWizardModel : public QObject {
 
   [[nodiscard]] LimbPage page() const { return page_; }
   [[nodiscard]] const body::Rig& rig() const { return rig_; }
+  [[nodiscard]] const CalibrationDesk::Target& target() const { return target_; }
   [[nodiscard]] const body::Skeleton& skeleton() const { return skeleton_; }
   [[nodiscard]] CalibrationDesk& desk() { return desk_; }
 
@@ -128,6 +129,7 @@ class LimbWizardModel : public QObject {
   void make_calibrator();
 
   CalibrationDesk& desk_;
+  CalibrationDesk::Target target_;
   body::Rig rig_;
   body::Skeleton skeleton_;
   LimbPage page_ = LimbPage::kChoose;

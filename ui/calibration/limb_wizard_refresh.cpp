@@ -85,7 +85,7 @@ void LimbWizard::refresh_choice() {
                                        ? rig.groups[static_cast<std::size_t>(model_.group())].sensors
                                        : std::vector<int>{};
   chooser_->set_sensors(rig, members, model_.sensors(), [this](int sensor) {
-    return mount_state(model_.desk().calibration().mounts.at(static_cast<std::size_t>(sensor)));
+    return mount_state(model_.desk().calibration_of(model_.target()).mounts.at(static_cast<std::size_t>(sensor)));
   });
   const QStringList without = model_.without_range();
   range_warning_->setVisible(!without.isEmpty());

@@ -87,7 +87,7 @@ int LimbWizardModel::accepted() const {
 }
 
 calibrate::RigCalibration LimbWizardModel::with_accepted() const {
-  calibrate::RigCalibration calibration = desk_.calibration();
+  calibrate::RigCalibration calibration = desk_.calibration_of(target_);
   for (const LimbOutcome& outcome : outcomes_) {
     if (outcome.decision == Decision::kAccepted && outcome.result) {
       calibration.mounts.at(static_cast<std::size_t>(outcome.sensor)) = outcome.result->mount;
@@ -130,7 +130,7 @@ void LimbWizardModel::save() {
   const int count = static_cast<int>(change.mounts.size());
   saving_ = true;
   Q_EMIT outcomes_changed();
-  desk_.save(std::move(change), [this, count](const Status& status) {
+  desk_.save(target_, std::move(change), [this, count](const Status& status) {
     saving_ = false;
     if (!status) {
       Q_EMIT save_failed(QString::fromStdString(status.error().text()));

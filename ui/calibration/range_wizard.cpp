@@ -204,7 +204,7 @@ void RangeWizard::refresh_chooser() {
   std::vector<int> all(model_.rig().accelerometers.size());
   std::iota(all.begin(), all.end(), 0);
   chooser_->set_sensors(model_.rig(), all, model_.chosen(), [this](int sensor) {
-    return range_state(model_.desk().calibration().sensors.at(static_cast<std::size_t>(sensor)));
+    return range_state(model_.desk().calibration_of(model_.target()).sensors.at(static_cast<std::size_t>(sensor)));
   });
 }
 

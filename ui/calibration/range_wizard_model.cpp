@@ -58,11 +58,12 @@ void RangeWizardModel::set_page(RangePage page) {
 
 void RangeWizardModel::begin(std::vector<int> sensors) {
   ++attempt_;
-  rig_ = desk_.has_rig() ? desk_.rig() : body::Rig{};
+  target_ = desk_.target();
+  rig_ = target_.rig;
   const int count = static_cast<int>(rig_.accelerometers.size());
   if (sensors.empty()) {
     for (int s = 0; s < count; ++s) {
-      if (desk_.calibration().sensors[static_cast<std::size_t>(s)].method == "nominal") {
+      if (desk_.calibration_of(target_).sensors[static_cast<std::size_t>(s)].method == "nominal") {
         sensors.push_back(s);
       }
     }
@@ -192,7 +193,7 @@ void RangeWizardModel::start_over() {
 }
 
 void RangeWizardModel::take_frames(const std::vector<decode::AccelerationFrame>& frames) {
-  if (page_ != RangePage::kTurn || frames.empty()) {
+  if (page_ != RangePage::kTurn || frames.empty() || !desk_.is_current(target_)) {
     return;
   }
   for (const decode::AccelerationFrame& frame : frames) {
@@ -326,7 +327,8 @@ void RangeWizardModel::merge(std::vector<RangeOutcome> outcomes) {
 
 void RangeWizardModel::show_outcomes(std::vector<RangeOutcome> outcomes) {
   ++attempt_;
-  rig_ = desk_.rig();
+  target_ = desk_.target();
+  rig_ = target_.rig;
   outcomes_.clear();
   merge(std::move(outcomes));
   set_page(RangePage::kResult);
@@ -362,7 +364,7 @@ void RangeWizardModel::save() {
   const int count = static_cast<int>(change.ranges.size());
   saving_ = true;
   Q_EMIT outcomes_changed();
-  desk_.save(std::move(change), [this, count](const Status& status) {
+  desk_.save(target_, std::move(change), [this, count](const Status& status) {
     saving_ = false;
     if (!status) {
       Q_EMIT save_failed(QString::fromStdString(status.error().text()));

@@ -51,6 +51,7 @@ class RangeWizardModel : public QObject {
 
   [[nodiscard]] RangePage page() const { return page_; }
   [[nodiscard]] const body::Rig& rig() const { return rig_; }
+  [[nodiscard]] const CalibrationDesk::Target& target() const { return target_; }
   [[nodiscard]] CalibrationDesk& desk() { return desk_; }
   [[nodiscard]] const std::vector<int>& chosen() const { return chosen_; }
 
@@ -109,6 +110,7 @@ class RangeWizardModel : public QObject {
   void merge(std::vector<RangeOutcome> outcomes);
 
   CalibrationDesk& desk_;
+  CalibrationDesk::Target target_;
   body::Rig rig_;
   RangePage page_ = RangePage::kChoose;
   std::vector<int> chosen_;

@@ -10,6 +10,7 @@
 #include "simulate/simulate.h"
 #include "solve/live_session.h"
 #include "solve/take_calibration.h"
+#include "take/board_book.h"
 #include "take/import.h"
 
 namespace limbwave::ui {
@@ -138,19 +139,22 @@ Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& 
   return simulate::open_simulator(settings.value());
 }
 
-Result<solve::LiveSettings> load_rig_for(const std::string& rig, const std::string& subject) {
+Result<solve::LiveSettings> load_rig_for(const std::string& rig, const std::string& subject,
+                                         const std::string& device) {
   auto loaded = body::load_rig(rig);
   if (!loaded) {
     return loaded.error();
   }
   solve::LiveSettings settings;
-  settings.rig = std::move(loaded).value();
+  settings.rig = device.starts_with(kSimulatorPrefix)
+                     ? simulate::simulated_rig(std::move(loaded).value(), simulate::SimulateSettings().seed)
+                     : take::rig_on_device(std::move(loaded).value(), device);
   auto skeleton = body::load_skeleton(settings.rig.skeleton);
   if (!skeleton) {
     return skeleton.error();
   }
   settings.skeleton = std::move(skeleton).value();
-  settings.calibration = solve::calibration_for_recording(settings.rig, subject);
+  settings.calibration = solve::calibration_for_recording(settings.rig, subject).calibration;
   return settings;
 }
 

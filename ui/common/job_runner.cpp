@@ -83,6 +83,8 @@ Job* JobRunner::start(const QString& title, QObject* owner, Work work, Done done
     } catch (const std::exception& problem) {
       // Such as a lack of memory in a library; the studio must live on.
       status = Error{std::string("unexpected problem: ") + problem.what(), "", ""};
+    } catch (...) {
+      status = Error{"unexpected problem", "", ""};
     }
     QMetaObject::invokeMethod(job, [finish = std::move(finish), status] { finish(status); });
   });

@@ -73,7 +73,10 @@ class JobRunner : public QObject {
           *value = std::make_unique<Result<T>>(work(progress));
           return (*value)->ok() ? Status() : Status((*value)->error());
         },
-        [done = std::move(done), value](const Status&) { done(std::move(**value)); });
+        [done = std::move(done), value](const Status& status) {
+          // Work that threw has no value.
+          done(*value ? std::move(**value) : Result<T>(status.error()));
+        });
   }
 
   [[nodiscard]] std::vector<Job*> jobs() const { return jobs_; }

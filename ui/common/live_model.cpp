@@ -11,11 +11,24 @@ double steady_now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+namespace {
+
+/// Ranges are the sensors', whoever wears them; mountings are the wearer's.
+calibrate::RigCalibration with_mounts(calibrate::RigCalibration calibration, const calibrate::RigCalibration& from) {
+  calibration.mounts = from.mounts;
+  return calibration;
+}
+
+}  // namespace
+
 LiveModel::LiveModel(const StudioServices& services, JobRunner& jobs, QObject* parent)
     : QObject(parent), services_(services), jobs_(jobs) {
   timer_.setInterval(33);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &LiveModel::poll);
+  wearer_timer_.setSingleShot(true);
+  wearer_timer_.setInterval(250);
+  connect(&wearer_timer_, &QTimer::timeout, this, &LiveModel::load_wearer);
 }
 
 LiveModel::~LiveModel() = default;
@@ -46,9 +59,12 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   close();
   device_id_ = device_id;
   device_title_ = device_title;
+  rig_name_ = rig;
+  wearer_ = wanted_wearer_ = subject.trimmed();
+  wearer_timer_.stop();
   problem_.clear();
   remedy_.clear();
-  Result<solve::LiveSettings> settings = services_.load_rig(rig, subject.toStdString());
+  Result<solve::LiveSettings> settings = services_.load_rig(rig, wearer_.toStdString(), device_id.toStdString());
   if (!settings) {
     fail(settings.error());
     set_state(LiveState::kOff);
@@ -151,13 +167,33 @@ bool LiveModel::start_recording(const std::filesystem::path& folder, const QStri
   }
   starting_ = true;
   aside_ = aside;
+  wearer_timer_.stop();
+  wanted_wearer_ = subject.trimmed();
+  const bool other_wearer = wanted_wearer_ != wearer_;
+  auto read = std::make_shared<std::optional<calibrate::RigCalibration>>();
   jobs_.start(
       tr("Making the take"), this,
-      [backend = backend_, folder, name = subject.toStdString()](const Progress&) {
+      [backend = backend_, folder, name = subject.trimmed().toStdString(), other_wearer, read,
+       load_rig = services_.load_rig, rig = rig_name_, device = device_id_.toStdString(),
+       calibration = settings_.calibration](const Progress&) -> Status {
+        if (other_wearer) {
+          // A take never carries the mountings of whoever wore the sensors before.
+          Result<solve::LiveSettings> settings = load_rig(rig, name, device);
+          if (!settings) {
+            return settings.error();
+          }
+          *read = with_mounts(calibration, settings.value().calibration);
+          backend->set_calibration(**read);
+        }
         return backend->start_recording(folder, name);
       },
-      [this](const Status& status) {
+      [this, read, wearer = wanted_wearer_](const Status& status) {
         starting_ = false;
+        if (*read) {
+          settings_.calibration = **read;
+          wearer_ = wearer;
+          Q_EMIT calibration_changed();
+        }
         if (!status) {
           fail(status.error());
           Q_EMIT recording_failed(problem_, remedy_);
@@ -165,6 +201,9 @@ bool LiveModel::start_recording(const std::filesystem::path& folder, const QStri
         }
         recording_ = true;
         Q_EMIT recording_changed();
+        if (lost()) {
+          stop_recording();  // It went while the take was being made.
+        }
       });
   return true;
 }
@@ -209,6 +248,30 @@ void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {
   if (backend_) {
     backend_->set_calibration(calibration);
   }
+  Q_EMIT calibration_changed();
+}
+
+void LiveModel::set_wearer(const QString& wearer) {
+  wanted_wearer_ = wearer;
+  if (state_ != LiveState::kOff) {
+    wearer_timer_.start();
+  }
+}
+
+void LiveModel::load_wearer() {
+  if (recording_ || starting_ || state_ == LiveState::kOff || wanted_wearer_ == wearer_) {
+    return;
+  }
+  jobs_.compute<solve::LiveSettings>(
+      tr("Reading the calibration of %1").arg(wanted_wearer_), this,
+      [load_rig = services_.load_rig, rig = rig_name_, name = wanted_wearer_.toStdString(),
+       device = device_id_.toStdString()](const Progress&) { return load_rig(rig, name, device); },
+      [this, attempt = opening_, wearer = wanted_wearer_](Result<solve::LiveSettings> settings) {
+        if (settings && attempt == opening_ && wearer == wanted_wearer_ && !recording_ && !starting_) {
+          wearer_ = wearer;
+          set_calibration(with_mounts(settings_.calibration, settings.value().calibration));
+        }
+      });
 }
 
 void LiveModel::set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) {

@@ -55,6 +55,13 @@ class LiveModel : public QObject {
   void stop_recording();
   void mark(const QString& text);
   void set_calibration(const calibrate::RigCalibration& calibration);
+  /// Somebody else wears the sensors: reads this person's mountings from the library in a job, a moment after the last
+  /// call. A recording that starts before is told first. Ends in `calibration_changed`.
+  void set_wearer(const QString& wearer);
+  /// Whose mountings `settings().calibration` has.
+  [[nodiscard]] const QString& wearer() const { return wearer_; }
+  /// The device was unplugged: what it last sent still shows, and it can be opened again.
+  [[nodiscard]] bool lost() const { return running() && snapshot_ && !snapshot_->source_alive; }
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings);
 
   /// A viewer has drawn the pose that was captured at this steady_clock time: keeps capture-to-screen latency.
@@ -69,6 +76,7 @@ class LiveModel : public QObject {
   void snapshot_changed();
   void recording_changed();
   void marked(const QString& text);
+  void calibration_changed();
   void source_lost();  ///< The device is gone; `problem()` says so.
   void recording_finished(const limbwave::take::Take& take);
   void aside_finished(const limbwave::take::Take& take);
@@ -77,6 +85,7 @@ class LiveModel : public QObject {
  private:
   void poll();
   void end_recording();
+  void load_wearer();
   void set_state(LiveState state);
   void fail(const Error& error);
 
@@ -88,7 +97,10 @@ class LiveModel : public QObject {
   solve::LiveSettings settings_;
   std::shared_ptr<LiveBackend> backend_;
   std::shared_ptr<const solve::LiveSnapshot> snapshot_;
-  QTimer timer_;
+  QString wearer_;         ///< Whose mountings are in use.
+  QString wanted_wearer_;  ///< Whose are to be.
+  std::string rig_name_;   ///< As asked for when opening.
+  QTimer timer_, wearer_timer_;
   std::uint64_t opening_ = 0;                     ///< Counts attempts, so that one that was overtaken is dropped.
   std::vector<std::pair<double, double>> drawn_;  ///< Clock time and latency, seconds, of the last two seconds.
 };

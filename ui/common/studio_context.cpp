@@ -38,6 +38,18 @@ StudioContext::~StudioContext() {
   settings_.sync();
 }
 
+QString StudioContext::wearer() const {
+  return settings_.value(QStringLiteral("capture/subject")).toString().left(200);
+}
+
+void StudioContext::set_wearer(const QString& wearer) {
+  if (wearer != this->wearer()) {
+    settings_.setValue(QStringLiteral("capture/subject"), wearer);
+    live_.set_wearer(wearer.trimmed());
+    Q_EMIT wearer_changed();
+  }
+}
+
 QString StudioContext::takes_folder() const {
   QString folder = settings_.value(QStringLiteral("takes/folder")).toString();
   if (folder.isEmpty()) {

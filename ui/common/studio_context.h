@@ -38,6 +38,11 @@ class StudioContext : public QObject {
   QUndoStack& undo_stack() { return undo_stack_; }
   LiveModel& live() { return live_; }
 
+  /// Who wears the sensors now: mountings are kept per person, and takes are recorded as theirs.
+  [[nodiscard]] QString wearer() const;
+  /// The running capture then goes by this person's mountings.
+  void set_wearer(const QString& wearer);
+
   /// Where new takes go: the setting, else ~/Limbwave. Made when it does not exist.
   [[nodiscard]] QString takes_folder() const;
   void set_takes_folder(const QString& folder);
@@ -50,6 +55,7 @@ class StudioContext : public QObject {
   void reveal(const QString& workspace, const QString& topic = {}) { Q_EMIT reveal_requested(workspace, topic); }
 
  Q_SIGNALS:
+  void wearer_changed();
   void reveal_requested(const QString& workspace, const QString& topic);
 
  private:

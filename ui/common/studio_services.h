@@ -42,8 +42,11 @@ struct StudioServices {
   std::function<std::unique_ptr<LiveBackend>(std::unique_ptr<acquire::LiveSource>, solve::LiveSettings)> make_live;
   std::function<std::vector<std::string>()> demo_motions;  ///< Quick. Of the simulator, the most telling first.
   std::function<std::vector<std::string>()> list_rigs;     ///< Quick. Names.
-  /// Quick. Rig, its skeleton, and the calibration of the library where there is one, else the nominal one.
-  std::function<Result<solve::LiveSettings>(const std::string& rig, const std::string& subject)> load_rig;
+  /// Rig with the serials of the sensors on this device (empty: no device yet), its skeleton, and for each sensor what
+  /// the calibration library has, else the data sheet's.
+  std::function<Result<solve::LiveSettings>(const std::string& rig, const std::string& subject,
+                                            const std::string& device)>
+      load_rig;
   std::function<Result<take::Take>(const std::filesystem::path& folder)> open_take;
   std::function<Status(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,
                        const std::string& rig, const Progress&)>

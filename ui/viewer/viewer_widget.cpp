@@ -303,20 +303,26 @@ void ViewerWidget::wheelEvent(QWheelEvent* event) {
 }
 
 void ViewerWidget::keyPressEvent(QKeyEvent* event) {
-  const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
-  const bool pad = (event->modifiers() & Qt::KeypadModifier) != 0;
-  const int key = event->key();
+  if (!handle_key(event->key(), event->modifiers())) {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+bool ViewerWidget::handle_key(int key, Qt::KeyboardModifiers modifiers) {
+  const bool shift = modifiers == Qt::ShiftModifier;
+  const bool pad = modifiers == Qt::KeypadModifier;
   if ((shift && key == Qt::Key_F) || (pad && key == Qt::Key_1)) {
     look(ViewDirection::kFront);
   } else if ((shift && key == Qt::Key_S) || (pad && key == Qt::Key_3)) {
     look(ViewDirection::kSide);
   } else if ((shift && key == Qt::Key_T) || (pad && key == Qt::Key_7)) {
     look(ViewDirection::kTop);
-  } else if (key == Qt::Key_F && event->modifiers() == Qt::NoModifier) {
+  } else if (key == Qt::Key_F && modifiers == Qt::NoModifier) {
     frame_selection();
   } else {
-    QWidget::keyPressEvent(event);
+    return false;
   }
+  return true;
 }
 
 void ViewerWidget::resizeEvent(QResizeEvent* event) {

@@ -65,6 +65,9 @@ class ViewerWidget : public QWidget {
   void frame_selection();
   void frame_all();
 
+  /// Does what a key of the viewer stands for; false when it is none of them.
+  bool handle_key(int key, Qt::KeyboardModifiers modifiers);
+
   /// The segment under a point of this widget, or -1.
   [[nodiscard]] int segment_at(const QPointF& point) const;
 

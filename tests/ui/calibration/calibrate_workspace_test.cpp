@@ -268,6 +268,68 @@ class CalibrateWorkspaceTest : public QObject {
     QCOMPARE(revealed.at(0).at(0).toString(), QStringLiteral("capture"));
   }
 
+  void the_device_may_go_away_on_every_page() {
+    CalibrateStudio bench;
+    const auto unplug = [&] {
+      bench.source->set_running(false);
+      bench.idle();
+      bench.source->set_running(true);
+    };
+    bench.click("calibrate_mounting");
+    unplug();
+    bench.click("next");
+    unplug();
+    bench.click("next");
+    unplug();
+    bench.workspace->limb_model().advance(6.0);
+    bench.wearer->hold(0, 0, 1.0);
+    unplug();
+    bench.wearer->hold(0, 0, 4.0);
+    bench.workspace->limb_model().advance(6.0);
+    bench.wearer->hold(0, 1, 4.0);
+    QTRY_VERIFY(bench.button("accept_1") != nullptr);
+    unplug();
+    bench.workspace->limb_model().cancel();
+    // Closed long ago, the wizard still hears of it.
+    unplug();
+    bench.click("calibrate_range");
+    unplug();
+    bench.click("next");
+    unplug();
+    bench.click("next");
+    bench.wearer->turn(5.0);
+    unplug();
+    bench.workspace->range_model().cancel();
+    bench.source->set_running(false);
+    QVERIFY(bench.button("open_device") != nullptr);
+  }
+
+  void what_was_measured_is_kept_when_its_device_is_gone_but_not_given_to_a_take() {
+    CalibrateStudio bench;
+    bench.click("calibrate_range");
+    bench.click("next");
+    bench.click("next");
+    bench.wearer->turn(90.0);
+    bench.click("next");
+    QTRY_VERIFY(bench.button("accept_0") != nullptr);
+    // A take of a smaller rig is open when the device goes.
+    take::Take take;
+    take.folder = bench.folder.filePath(QStringLiteral("other.take")).toStdString();
+    take.info.rig = bench.source->rig();
+    take.info.rig.name = "smaller";
+    take.info.rig.accelerometers.resize(2);
+    take.info.rig.groups.clear();
+    take.info.skeleton = bench.source->skeleton();
+    bench.studio.context->document().set(take);
+    bench.source->set_running(false);
+    bench.workspace->range_model().save();
+    QTRY_COMPARE(bench.workspace->desk().listing().sensors.size(), std::size_t{5});
+    QCOMPARE(bench.workspace->desk().listing().sensors[0].key.substr(0, 3), std::string("LW-"));
+    QVERIFY(!bench.studio.context->document().take()->info.calibration);
+    QVERIFY(!bench.studio.context->undo_stack().canUndo());
+    QVERIFY(!bench.studio.context->notifications().all().empty());
+  }
+
   void an_older_calibration_can_be_used_again() {
     CalibrateStudio bench;
     range_to_the_end(bench, false);

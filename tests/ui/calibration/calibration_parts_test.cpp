@@ -160,7 +160,7 @@ class CalibrationPartsTest : public QObject {
     FakeSource source;
     const body::Rig& rig = source.rig();
     take::LibraryListing listing;
-    for (const char* date : {"2026-03-01T10:00:00Z", "2026-11-01T10:00:00Z", "2026-05-01T10:00:00Z"}) {
+    for (const char* date : {"2026-11-01T10:00:00Z", "2026-05-01T10:00:00Z", "2026-03-01T10:00:00Z"}) {
       take::SensorRecord record;
       record.key = take::sensor_key(rig, rig.accelerometers[2]);
       record.calibration.method = "ellipsoid";

@@ -56,7 +56,7 @@ class CalibrationSourcesTest : public QObject {
     services.open_device = [](const std::string&, const acquire::StreamFormat&, const std::string&) {
       return Result<std::unique_ptr<acquire::LiveSource>>(nullptr);
     };
-    services.load_rig = [](const std::string&, const std::string&) -> Result<solve::LiveSettings> {
+    services.load_rig = [](const std::string&, const std::string&, const std::string&) -> Result<solve::LiveSettings> {
       const FakeSource model;
       solve::LiveSettings settings;
       settings.rig = model.rig();

@@ -69,6 +69,21 @@ class JobRunnerTest : public QObject {
     QTRY_VERIFY(message.contains(QStringLiteral("out of cheese")));
   }
 
+  void exceptions_of_work_with_a_value_become_errors_too() {
+    JobRunner jobs;
+    QStringList messages;
+    const auto done = [&](const Result<int>& result) {
+      messages << (result ? QStringLiteral("a value") : QString::fromStdString(result.error().message));
+    };
+    jobs.compute<int>(
+        QStringLiteral("bad"), this, [](const Progress&) -> Result<int> { throw std::bad_alloc(); }, done);
+    jobs.compute<int>(
+        QStringLiteral("worse"), this, [](const Progress&) -> Result<int> { throw 7; }, done);
+    QTRY_COMPARE(messages.size(), 2);
+    QVERIFY2(messages[0].contains(QStringLiteral("unexpected problem")), qPrintable(messages[0]));
+    QVERIFY2(messages[1].contains(QStringLiteral("unexpected problem")), qPrintable(messages[1]));
+  }
+
   void nobody_is_called_whose_owner_is_gone() {
     JobRunner jobs;
     auto owner = std::make_unique<QObject>();

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "base/files.h"
 #include "interchange/bvh_reader.h"
 #include "ui/support/solve_fixture.h"
 
@@ -97,6 +98,34 @@ class ExportWorkspaceTest : public QObject {
     const int upper = back->skeleton.find("upper_arm");
     QVERIFY(upper >= 0);
     QVERIFY(std::abs(back->skeleton.segments[static_cast<std::size_t>(upper)].length - 0.30) < 1e-3);
+  }
+
+  void what_is_there_stays_until_the_new_file_is_whole() {
+    open(solving_->services());
+    ExportPlan plan;
+    plan.file = studio_->folder.filePath(QStringLiteral("old.bvh")).toStdString();
+    const auto content = [&] {
+      QFile read(QString::fromStdString(plan.file.string()));
+      return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
+    };
+    QFile old(QString::fromStdString(plan.file.string()));
+    QVERIFY(old.open(QIODevice::WriteOnly) && old.write("mine") == 4);
+    old.close();
+    const motion::Clip& clip = studio_->model->solve()->clip;
+    for (const double stop_at : {0.0, 0.69, 0.7, 0.9}) {
+      const auto result = export_clip(clip, plan, interchange::write_bvh,
+                                      Progress([&](double fraction, std::string_view) { return fraction < stop_at; }));
+      QVERIFY(!result.ok() && is_cancelled(result.error()));
+      QCOMPARE(content(), QByteArray("mine"));
+    }
+    const auto broken = [](const motion::Clip&, const std::filesystem::path& file, const interchange::BvhWriteOptions&,
+                           const Progress&) { return write_file(file, "HIERARCHY nonsense"); };
+    QVERIFY(!export_clip(clip, plan, broken, {}).ok());
+    QCOMPARE(content(), QByteArray("mine"));
+    QVERIFY(export_clip(clip, plan, interchange::write_bvh, {}).ok());
+    QVERIFY(content().startsWith("HIERARCHY"));
+    QCOMPARE(
+        QDir(studio_->folder.path()).entryList({QStringLiteral("*.part*")}, QDir::AllEntries | QDir::Hidden).size(), 0);
   }
 
   void edits_are_in_the_file() {

@@ -65,6 +65,7 @@ class FakeBackend : public LiveBackend {
     take.info.format = FakeSource().format();
     take.info.frames = static_cast<std::int64_t>((steady_now_s() - recording_since_) * kRate);
     take.info.rig = settings_.rig;
+    take.info.calibration = settings_.calibration;
     for (std::size_t i = 0; i < line_->marks.size(); ++i) {
       take.events.push_back({SampleIndex{static_cast<std::int64_t>(1000 * (i + 1))}, "marker", line_->marks[i], 0});
     }
@@ -73,7 +74,7 @@ class FakeBackend : public LiveBackend {
   }
 
   void mark(const std::string& text) override { line_->marks.push_back(text); }
-  void set_calibration(const calibrate::RigCalibration&) override {}
+  void set_calibration(const calibrate::RigCalibration& calibration) override { settings_.calibration = calibration; }
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
 
   [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
@@ -91,7 +92,8 @@ class FakeBackend : public LiveBackend {
       finding.time_s = now;
     }
     shot->counters.overflows = line_->overflows;
-    shot->source_alive = line_->alive;
+    dead_ = dead_ || !line_->alive;  // What was unplugged does not come back by itself.
+    shot->source_alive = !dead_;
     shot->recording = recording_since_ > 0.0;
     shot->take_folder = folder_;
     shot->recorded_s = shot->recording ? steady_now_s() - recording_since_ : 0.0;
@@ -185,6 +187,7 @@ class FakeBackend : public LiveBackend {
   solve::LiveSettings settings_;
   double begin_;
   mutable std::uint64_t version_ = 0;
+  mutable bool dead_ = false;
   std::filesystem::path folder_;
   std::string subject_;
   std::atomic<double> recording_since_ = 0.0;
@@ -236,7 +239,18 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
   };
   services.demo_motions = [] { return std::vector<std::string>{"wave", "arm-raise", "reach", "walk", "box"}; };
   services.list_rigs = [] { return std::vector<std::string>{"line-in-arm"}; };
-  services.load_rig = [](const std::string&, const std::string&) -> Result<solve::LiveSettings> { return fake_rig(); };
+  services.load_rig = [line](const std::string&, const std::string& subject,
+                             const std::string&) -> Result<solve::LiveSettings> {
+    solve::LiveSettings settings = fake_rig();
+    settings.calibration = calibrate::nominal_calibration(settings.rig);
+    if (const auto found = line->mounted.find(subject); found != line->mounted.end()) {
+      for (calibrate::MountCalibration& mount : settings.calibration.mounts) {
+        mount.method = "two poses";
+        mount.date = found->second;
+      }
+    }
+    return settings;
+  };
   services.open_take = [](const std::filesystem::path& folder) -> Result<take::Take> {
     if (!std::filesystem::exists(folder / "take.json")) {
       return Error{"this is not a take", folder.string(), "choose a folder that ends in .take"};

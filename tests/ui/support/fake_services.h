@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct FakeLine {
   bool no_devices = false;
   std::vector<std::string> marks;  ///< What was marked.
   int opened = 0;                  ///< How often a device was opened.
+  /// By wearer: the date of the mountings that the library has. Others have none.
+  std::map<std::string, std::string> mounted;
 };
 
 /// A rig of five sensors without files.

@@ -107,6 +107,13 @@ struct FakeSolving {
       ++loaded;
       return *stored;
     };
+    table.load_settings = [this](const take::Take&, const std::string&) -> Result<solve::SolveSettings> {
+      const std::lock_guard lock(mutex);
+      return stored->settings;
+    };
+    table.set_aside = [](const take::Take& take, const std::string& name) -> Result<std::filesystem::path> {
+      return take.folder / "solves" / (name + ".damaged-1");
+    };
     table.list = [this](const take::Take&) {
       const std::lock_guard lock(mutex);
       return stored ? std::vector<std::string>{stored->settings.name} : std::vector<std::string>();

@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 
 #include "plots/scope_view.h"
 #include "plots/sensor_strips.h"
@@ -145,6 +146,68 @@ class CaptureTest : public QObject {
     QVERIFY(!capture.live().recording());
     QVERIFY(!capture.live().problem().isEmpty());
     QVERIFY(!capture.find<QPushButton>("record_button")->isEnabled());
+    // Plugged in again and chosen once more, as it says.
+    QTRY_VERIFY(!capture.live().finishing());
+    line->alive = true;
+    QCOMPARE(line->opened, 1);
+    auto* box = capture.find<QComboBox>("device_box");
+    Q_EMIT box->activated(box->findData(QStringLiteral("simulator:wave")));
+    QTRY_COMPARE(line->opened, 2);
+    QTRY_VERIFY(capture.find<QPushButton>("record_button")->isEnabled());
+    QVERIFY(capture.live().problem().isEmpty());
+  }
+
+  void looking_for_devices_opens_a_lost_one_again() {
+    auto line = std::make_shared<FakeLine>();
+    Capture capture(line);
+    QVERIFY(choose(capture, "simulator:wave"));
+    line->alive = false;
+    QTRY_VERIFY(capture.live().lost());
+    line->alive = true;
+    QTest::mouseClick(capture.find<QToolButton>("refresh_devices"), Qt::LeftButton);
+    QTRY_COMPARE(line->opened, 2);
+    QTRY_VERIFY(capture.live().running() && !capture.live().lost());
+  }
+
+  void a_take_has_its_wearers_mountings_and_nobody_elses() {
+    auto line = std::make_shared<FakeLine>();
+    line->mounted = {{"Anna", "2026-03-01T10:00:00Z"}, {"Ben", "2026-04-01T10:00:00Z"}};
+    Capture capture(line);
+    capture.studio.context->set_wearer(QStringLiteral("Anna"));
+    QVERIFY(choose(capture, "simulator:wave"));
+    QCOMPARE(capture.live().settings().calibration.mounts[0].date, std::string("2026-03-01T10:00:00Z"));
+    const auto record = [&](const QString& name) {
+      auto* subject = capture.find<QLineEdit>("subject_edit");
+      subject->selectAll();
+      QTest::keyClicks(subject, name);
+      // At once: nothing has been read yet.
+      QTest::mouseClick(capture.find<QPushButton>("record_button"), Qt::LeftButton);
+      QTRY_VERIFY(capture.live().recording());
+      QTest::mouseClick(capture.find<QPushButton>("record_button"), Qt::LeftButton);
+      QTRY_VERIFY(capture.studio.context->document().is_open() &&
+                  capture.studio.context->document().take()->info.subject == name.toStdString());
+    };
+    record(QStringLiteral("Zoe"));
+    QCOMPARE(capture.studio.context->document().take()->info.calibration->mounts[0].method, std::string("nominal"));
+    record(QStringLiteral("Ben"));
+    QCOMPARE(capture.studio.context->document().take()->info.calibration->mounts[0].date,
+             std::string("2026-04-01T10:00:00Z"));
+    // Typed elsewhere, such as in the wizard, it is the same person; and the figure follows without recording.
+    capture.studio.context->set_wearer(QStringLiteral("Anna"));
+    QCOMPARE(capture.find<QLineEdit>("subject_edit")->text(), QStringLiteral("Anna"));
+    QTRY_COMPARE(capture.live().settings().calibration.mounts[0].date, std::string("2026-03-01T10:00:00Z"));
+  }
+
+  void another_folder_suggests_another_name() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "simulator:wave"));
+    const QString name = capture.workspace->model().take_name();
+    const QString other = capture.studio.context->takes_folder() + QStringLiteral("/other");
+    QDir().mkpath(other + QLatin1Char('/') + name + QStringLiteral(".take"));
+    capture.studio.context->set_takes_folder(other);
+    capture.workspace->model().suggest_name();
+    QVERIFY(capture.workspace->model().take_name() != name);
+    QVERIFY(capture.workspace->model().can_record());
   }
 
   void level_check_speaks() {

@@ -10,8 +10,7 @@ namespace limbwave::ui {
 CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
     : QObject(parent),
       context_(context),
-      rig_(context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString()),
-      subject_(context.settings().value(QStringLiteral("capture/subject")).toString().left(200)) {
+      rig_(context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString()) {
   const QStringList known = rigs();
   if (!known.isEmpty() && !known.contains(rig_)) {
     rig_ = known.first();
@@ -23,6 +22,8 @@ CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
     name_typed_ = false;
     suggest_name();
   });
+  connect(&live, &LiveModel::recording_failed, this, &CaptureModel::suggest_name);
+  connect(&context_, &StudioContext::wearer_changed, this, &CaptureModel::suggest_name);
   connect(&live, &LiveModel::marked, this, [this](const QString& text) {
     const auto& snapshot = context_.live().snapshot();
     markers_.push_back({snapshot ? snapshot->recorded_s : 0.0, text});
@@ -61,7 +62,7 @@ void CaptureModel::load_rig_names() {
   if (!context_.services().load_rig) {
     return;
   }
-  const auto settings = context_.services().load_rig(rig_.toStdString(), subject_.toStdString());
+  const auto settings = context_.services().load_rig(rig_.toStdString(), subject().toStdString(), {});
   if (!settings) {
     context_.notifications().post_error(tr("Rig %1").arg(rig_), settings.error());
     return;
@@ -83,7 +84,7 @@ int CaptureModel::slot_count() const {
 void CaptureModel::suggest_name() {
   if (!name_typed_) {
     const QDate day = today_.isValid() ? today_ : QDate::currentDate();
-    take_name_ = suggest_take_name(context_.takes_folder(), subject_, day.toString(QStringLiteral("yyyyMMdd")));
+    take_name_ = suggest_take_name(context_.takes_folder(), subject(), day.toString(QStringLiteral("yyyyMMdd")));
   }
   Q_EMIT setup_changed();
 }
@@ -123,7 +124,7 @@ void CaptureModel::refresh_devices() {
         }
         Q_EMIT devices_changed();
         const QString last = context_.settings().value(QStringLiteral("capture/device")).toString();
-        if (context_.live().state() == LiveState::kOff && !last.isEmpty()) {
+        if ((context_.live().state() == LiveState::kOff || context_.live().lost()) && !last.isEmpty()) {
           open_device(last);
         }
       });
@@ -141,10 +142,10 @@ void CaptureModel::open_device(const QString& id) {
   }
   const auto device = std::find_if(devices_.begin(), devices_.end(),
                                    [&](const acquire::DeviceInfo& one) { return one.id == id.toStdString(); });
-  if (device == devices_.end() || (live.state() != LiveState::kOff && live.device_id() == id)) {
+  if (device == devices_.end() || (live.state() != LiveState::kOff && live.device_id() == id && !live.lost())) {
     return;
   }
-  if (live.open(id, QString::fromStdString(device->title), rig_.toStdString(), subject_)) {
+  if (live.open(id, QString::fromStdString(device->title), rig_.toStdString(), subject())) {
     context_.settings().setValue(QStringLiteral("capture/device"), id);
   }
 }
@@ -166,11 +167,7 @@ void CaptureModel::set_rig(const QString& rig) {
 }
 
 void CaptureModel::set_subject(const QString& subject) {
-  if (subject != subject_) {
-    subject_ = subject;
-    context_.settings().setValue(QStringLiteral("capture/subject"), subject);
-    suggest_name();
-  }
+  context_.set_wearer(subject);
 }
 
 void CaptureModel::set_take_name(const QString& name) {
@@ -183,7 +180,7 @@ void CaptureModel::set_take_name(const QString& name) {
 
 void CaptureModel::start_recording() {
   if (can_record()) {
-    context_.live().start_recording(take_folder().toStdString(), subject_);
+    context_.live().start_recording(take_folder().toStdString(), subject());
   }
 }
 

@@ -27,7 +27,7 @@ class CaptureModel : public QObject {
   [[nodiscard]] const QString& search_problem() const { return search_problem_; }
   [[nodiscard]] QStringList rigs() const;
   [[nodiscard]] const QString& rig() const { return rig_; }
-  [[nodiscard]] const QString& subject() const { return subject_; }
+  [[nodiscard]] QString subject() const { return context_.wearer(); }
   /// Name of the next take without ".take"; suggested as long as the user has not typed one.
   [[nodiscard]] const QString& take_name() const { return take_name_; }
   [[nodiscard]] QString take_folder() const;
@@ -46,6 +46,8 @@ class CaptureModel : public QObject {
   void set_rig(const QString& rig);
   void set_subject(const QString& subject);
   void set_take_name(const QString& name);
+  /// Another name for the next take, unless the user has typed one: another folder, or this one's name is taken.
+  void suggest_name();
   void start_recording();
   void stop_recording();
   void toggle_recording();
@@ -60,14 +62,13 @@ class CaptureModel : public QObject {
   void markers_changed();
 
  private:
-  void suggest_name();
   void load_rig_names();
   void show_markers_of_take();
 
   StudioContext& context_;
   std::vector<acquire::DeviceInfo> devices_;
   bool searching_ = false;
-  QString search_problem_, rig_, subject_, take_name_;
+  QString search_problem_, rig_, take_name_;
   bool name_typed_ = false;
   QStringList sensor_names_;
   int slot_count_ = 16;

@@ -87,8 +87,7 @@ void RecordPanel::choose_folder() {
   const QString folder = QFileDialog::getExistingDirectory(window(), tr("Folder for takes"), context_.takes_folder());
   if (!folder.isEmpty()) {
     context_.set_takes_folder(folder);
-    model_.set_subject(model_.subject());
-    refresh();
+    model_.suggest_name();
   }
 }
 

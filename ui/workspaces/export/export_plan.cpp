@@ -16,6 +16,21 @@ struct Export {
   Q_DECLARE_TR_FUNCTIONS(Export)
 };
 
+/// Leaves nothing behind, however the export ends.
+class PartFile {
+ public:
+  explicit PartFile(std::filesystem::path path) : path_(std::move(path)) {}
+  ~PartFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+ private:
+  std::filesystem::path path_;
+};
+
 }  // namespace
 
 std::vector<ExportFormat> export_formats() {
@@ -63,18 +78,24 @@ Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& pla
   interchange::BvhWriteOptions options;
   options.fps = plan.fps;
   options.unit = plan.unit == ExportUnit::kMetres ? interchange::BvhUnit::kMetres : interchange::BvhUnit::kCentimetres;
-  const Status written = write(clip, plan.file, options, progress.part(0.0, 0.7));
+  // Beside the target, so that what is there stays until the new file is known to be good.
+  const std::filesystem::path part =
+      plan.file.parent_path() / ("." + plan.file.stem().string() + ".part" + plan.file.extension().string());
+  const PartFile part_file(part);
+  const Status written = write(clip, part, options, progress.part(0.0, 0.7));
   if (!written) {
-    return written.error();
+    Error error = written.error();
+    if (error.place == part.string()) {
+      error.place = plan.file.string();
+    }
+    return error;
   }
   if (!progress.report(0.7, "checking")) {
-    std::error_code ignored;
-    std::filesystem::remove(plan.file, ignored);
     return cancelled();
   }
   interchange::BvhReadOptions read;
   read.metres_per_unit = plan.unit == ExportUnit::kMetres ? 1.0 : interchange::kMetresPerCentimetre;
-  const Result<motion::Clip> back = interchange::load_bvh(plan.file, read);
+  const Result<motion::Clip> back = interchange::load_bvh(part, read);
   if (!back) {
     return Error{"the written file cannot be read back: " + back.error().message, plan.file.string(),
                  "check the disk and export again"};
@@ -82,7 +103,7 @@ Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& pla
   ExportResult result;
   result.file = plan.file;
   std::error_code error;
-  result.bytes = std::filesystem::file_size(plan.file, error);
+  result.bytes = std::filesystem::file_size(part, error);
   result.frames = back->joints.empty() ? 0 : back->joints.front().rotation.times.size();
   result.bones = back->skeleton.segments.size();
   result.fps = back->frame_rate_hz;
@@ -93,6 +114,13 @@ Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& pla
                      std::to_string(result.bones) + " bones instead of " + std::to_string(wanted) + " and " +
                      std::to_string(clip.skeleton.segments.size()),
                  plan.file.string(), "check the disk and export again"};
+  }
+  if (!progress.report(0.95, "checking")) {
+    return cancelled();
+  }
+  std::filesystem::rename(part, plan.file, error);
+  if (error) {
+    return Error{"cannot be written (" + error.message() + ")", plan.file.string(), "choose another name or folder"};
   }
   return result;
 }

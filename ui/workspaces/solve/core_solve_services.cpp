@@ -7,6 +7,8 @@ SolveServices core_solve_services() {
   services.solve = solve::solve_take;
   services.save = solve::save_solve;
   services.load = solve::load_solve;
+  services.load_settings = solve::load_solve_settings;
+  services.set_aside = solve::set_solve_aside;
   services.list = solve::list_solves;
   services.load_truth = [](const take::Take& take) -> Result<std::optional<evaluate::Truth>> {
     const std::filesystem::path file = take.folder / "truth.json";

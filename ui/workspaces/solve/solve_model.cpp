@@ -41,10 +41,14 @@ std::vector<SensorCurve> make_curves(const take::Take& take, const solve::Solve&
 struct SolveModel::Outcome {
   std::shared_ptr<const solve::Solve> solve;
   std::vector<SensorCurve> curves;
-  std::optional<evaluate::Truth> truth;
+  std::shared_ptr<const evaluate::Truth> truth;
   std::optional<evaluate::Evaluation> evaluation;
-  Status saved;
   Status compared;
+  bool fresh = false;  ///< Solved now, so not on disk yet.
+  /// What was wrong with the saved solve, where it is now, and whether its keys could be read.
+  std::optional<Error> damage;
+  std::filesystem::path aside;
+  bool kept_keys = false;
 };
 
 SolveModel& SolveModel::of(StudioContext& context) {
@@ -75,7 +79,8 @@ SolveModel::SolveModel(StudioContext& context, SolveServices services)
   connect(&context_.document(), &TakeDocument::changed, this, &SolveModel::follow_document);
   connect(qApp, &QCoreApplication::aboutToQuit, this, [this] {
     if (unsaved_ && solve_ && take_) {
-      (void)services_.save(*take_, edited()());
+      (void)writer_->write(writer_->issue(), take_->folder.string(),
+                           [this] { return services_.save(*take_, edited()()); });
     }
   });
   follow_document(true);
@@ -166,19 +171,36 @@ void SolveModel::run(bool load) {
   solve::SolveSettings settings = settings_;
   settings.headings = headings();
   auto work = [load, settings, take = take_, services = services_, lengths = solve_ ? skeleton_ : body::Skeleton{},
-               start_s = clip_start_s()](const Progress& progress) -> Result<Outcome> {
+               start_s = clip_start_s()](const Progress& progress) mutable -> Result<Outcome> {
     Outcome outcome;
-    Result<solve::Solve> solved =
-        load ? services.load(*take, settings.name) : services.solve(*take, settings, progress.part(0.0, 0.9));
+    const auto solve_or_load = [&]() -> Result<solve::Solve> {
+      if (load) {
+        Result<solve::Solve> loaded = services.load(*take, settings.name);
+        if (loaded || is_cancelled(loaded.error())) {
+          return loaded;
+        }
+        // Keys and lengths are the user's own and cannot be computed again: keep what is there.
+        outcome.damage = loaded.error();
+        if (Result<solve::SolveSettings> kept = services.load_settings(*take, settings.name); kept) {
+          settings = std::move(kept).value();
+          outcome.kept_keys = true;
+        }
+        Result<std::filesystem::path> aside = services.set_aside(*take, settings.name);
+        if (!aside) {
+          return aside.error();
+        }
+        outcome.aside = std::move(aside).value();
+      }
+      outcome.fresh = true;
+      return services.solve(*take, settings, progress.part(0.0, 0.9));
+    };
+    Result<solve::Solve> solved = solve_or_load();
     if (!solved) {
       return solved.error();
     }
     auto solve = std::make_shared<solve::Solve>(std::move(solved).value());
-    if (!load) {
-      if (lengths.segments.size() == solve->clip.skeleton.segments.size()) {
-        solve->clip.skeleton = lengths;  // Edited lengths outlive a new solve.
-      }
-      outcome.saved = services.save(*take, *solve);
+    if (!load && lengths.segments.size() == solve->clip.skeleton.segments.size()) {
+      solve->clip.skeleton = lengths;  // Edited lengths outlive a new solve.
     }
     outcome.curves = make_curves(*take, *solve);
     Result<std::optional<evaluate::Truth>> truth =
@@ -186,7 +208,7 @@ void SolveModel::run(bool load) {
     if (!truth) {
       outcome.compared = truth.error();
     } else if (truth->has_value()) {
-      outcome.truth = std::move(truth).value();
+      outcome.truth = std::make_shared<const evaluate::Truth>(*std::move(truth).value());
       Result<evaluate::Evaluation> evaluation = services.evaluate(solve->clip, start_s, *outcome.truth);
       if (evaluation) {
         outcome.evaluation = std::move(evaluation).value();
@@ -198,21 +220,18 @@ void SolveModel::run(bool load) {
     return outcome;
   };
   const QString title = load ? tr("Reading the solve") : tr("Solving %1").arg(context_.document().name());
-  job_ = context_.jobs().compute<Outcome>(title, this, std::move(work), [this, attempt, load](Result<Outcome> result) {
-    if (attempt != attempt_) {
-      return;
-    }
-    job_.clear();
-    if (result) {
-      finish(*result);
-    } else if (load && !is_cancelled(result.error())) {
-      // A solve can always be made again from the raw samples.
-      context_.notifications().post_error(tr("The saved solve could not be read; solving again."), result.error());
-      run(false);
-    } else {
-      fail(result.error());
-    }
-  });
+  job_ = context_.jobs().compute<Outcome>(title, this, std::move(work),
+                                          [this, attempt, edits = edits_](Result<Outcome> result) {
+                                            if (attempt != attempt_) {
+                                              return;
+                                            }
+                                            job_.clear();
+                                            if (result) {
+                                              finish(std::move(result).value(), edits);
+                                            } else {
+                                              fail(result.error());
+                                            }
+                                          });
   set_state(load ? SolveState::kLoading : SolveState::kSolving);
 }
 
@@ -225,13 +244,17 @@ void SolveModel::fail(const Error& error) {
   set_state(SolveState::kFailed);
 }
 
-void SolveModel::finish(const Outcome& outcome) {
+void SolveModel::finish(Outcome outcome, int edits) {
   const bool first = solve_ == nullptr;
-  solve_ = outcome.solve;
-  curves_ = outcome.curves;
-  truth_ = outcome.truth;
-  evaluation_ = outcome.evaluation;
-  skeleton_ = solve_->clip.skeleton;
+  solve_ = std::move(outcome.solve);
+  curves_ = std::move(outcome.curves);
+  truth_ = std::move(outcome.truth);
+  evaluation_ = std::move(outcome.evaluation);
+  // What was edited while it was being solved is newer than what it was solved with.
+  const bool edited_meanwhile = !first && edits != edits_;
+  if (!edited_meanwhile || skeleton_.segments.size() != solve_->clip.skeleton.segments.size()) {
+    skeleton_ = solve_->clip.skeleton;
+  }
   has_sensor_ = segments_with_sensors(take_->info.rig, skeleton_);
   if (first) {
     settings_ = solve_->settings;
@@ -240,12 +263,28 @@ void SolveModel::finish(const Outcome& outcome) {
   }
   const double rate = solve_->clip.frame_rate_hz;
   set_extent(solve_->clip.duration(), rate > 0 ? 1.0 / rate : 1.0 / 60.0);
-  if (!outcome.saved) {
-    context_.notifications().post_error(tr("The solve could not be saved in the take."), outcome.saved.error());
+  if (outcome.damage) {
+    const QString name = QString::fromStdString(outcome.aside.filename().string());
+    context_.notifications().post(
+        Severity::kWarning,
+        (outcome.kept_keys
+             ? tr("The saved solve could not be read. It was solved again with its keys and settings; lengths "
+                  "are the rig's. What could not be read is kept in the take as %1.")
+             : tr("The saved solve could not be read, nor its keys. It was solved again without them. What "
+                  "could not be read is kept in the take as %1."))
+            .arg(name),
+        QString::fromStdString(outcome.damage->text()));
   }
   if (!outcome.compared) {
-    context_.notifications().post_error(tr("The solve could not be compared with the truth."),
-                                        outcome.compared.error());
+    context_.notifications().post_error(tr("The solve could not be compared with the truth"), outcome.compared.error());
+  }
+  if (outcome.fresh) {
+    unsaved_ = true;
+    saving_.clear();
+    save();
+  }
+  if (edited_meanwhile) {
+    evaluate_edits();
   }
   set_state(SolveState::kSolved);
   Q_EMIT skeleton_changed();
@@ -354,6 +393,7 @@ void SolveModel::set_length(int segment, double length) {
 }
 
 void SolveModel::note_edit() {
+  ++edits_;
   unsaved_ = true;
   save_soon_.start();
 }
@@ -370,12 +410,15 @@ void SolveModel::save() {
   unsaved_ = false;
   saving_ = context_.jobs().start(
       tr("Saving the solve"), this,
-      [take = take_, edited = edited(), write = services_.save](const Progress&) { return write(*take, edited()); },
-      [this](const Status& status) {
+      [take = take_, edited = edited(), save = services_.save, writer = writer_,
+       number = writer_->issue()](const Progress&) {
+        return writer->write(number, take->folder.string(), [&] { return save(*take, edited()); });
+      },
+      [this, take = take_](const Status& status) {
         saving_.clear();
         if (!status) {
-          context_.notifications().post_error(tr("Your edits could not be saved in the take."), status.error());
-          unsaved_ = true;
+          context_.notifications().post_error(tr("The solve could not be saved in the take"), status.error());
+          unsaved_ = unsaved_ || take == take_;
         }
       });
 }
@@ -384,13 +427,21 @@ void SolveModel::evaluate_edits() {
   if (!truth_ || !solve_) {
     return;
   }
-  context_.jobs().compute<evaluate::Evaluation>(
+  if (evaluating_) {
+    evaluating_->cancel();
+  }
+  evaluating_ = context_.jobs().compute<evaluate::Evaluation>(
       tr("Comparing with the truth"), this,
-      [edited = edited(), truth = *truth_, start_s = clip_start_s(), compare = services_.evaluate](const Progress&) {
-        return compare(edited().clip, start_s, truth);
+      [edited = edited(), truth = truth_, start_s = clip_start_s(),
+       compare = services_.evaluate](const Progress& progress) -> Result<evaluate::Evaluation> {
+        if (!progress.report(0.0, "comparing")) {
+          return cancelled();
+        }
+        return compare(edited().clip, start_s, *truth);
       },
-      [this, attempt = attempt_](const Result<evaluate::Evaluation>& evaluation) {
-        if (attempt == attempt_ && evaluation) {
+      // Only the newest state counts.
+      [this, attempt = attempt_, edits = edits_](const Result<evaluate::Evaluation>& evaluation) {
+        if (attempt == attempt_ && edits == edits_ && evaluation) {
           evaluation_ = *evaluation;
           Q_EMIT evaluation_changed();
         }

@@ -12,6 +12,7 @@
 #include "common/studio_context.h"
 #include "timeline/key_commands.h"
 #include "workspaces/solve/solve_services.h"
+#include "workspaces/solve/solve_writer.h"
 
 namespace limbwave::ui {
 
@@ -45,7 +46,7 @@ class SolveModel : public QObject {
   [[nodiscard]] KeyEditor& key_editor() { return key_editor_; }
   [[nodiscard]] const std::vector<SensorCurve>& curves() const { return curves_; }
   [[nodiscard]] const std::optional<evaluate::Evaluation>& evaluation() const { return evaluation_; }
-  [[nodiscard]] bool has_truth() const { return truth_.has_value(); }
+  [[nodiscard]] bool has_truth() const { return truth_ != nullptr; }
   [[nodiscard]] bool has_sensor(int segment) const;
   /// Where the clip's time 0 lies in the take, seconds.
   [[nodiscard]] double clip_start_s() const;
@@ -88,7 +89,7 @@ class SolveModel : public QObject {
   void follow_document(bool other);
   void open_or_solve();
   void run(bool load);
-  void finish(const Outcome& outcome);
+  void finish(Outcome outcome, int edits);
   void fail(const Error& error);
   void set_state(SolveState state);
   void load_keys();
@@ -107,13 +108,16 @@ class SolveModel : public QObject {
   body::Skeleton skeleton_;
   std::vector<bool> has_sensor_;
   std::vector<SensorCurve> curves_;
-  std::optional<evaluate::Truth> truth_;
+  std::shared_ptr<const evaluate::Truth> truth_;
   std::optional<evaluate::Evaluation> evaluation_;
   Error error_;
   KeyModel keys_;
   KeyEditor key_editor_;
   QPointer<Job> job_;
   QPointer<Job> saving_;
+  QPointer<Job> evaluating_;
+  std::shared_ptr<SolveWriter> writer_ = std::make_shared<SolveWriter>();
+  int edits_ = 0;    ///< Counts edits of keys and lengths.
   int attempt_ = 0;  ///< Counts runs, so that one that was overtaken is dropped.
   bool loading_keys_ = false, unsaved_ = false;
   QTimer solve_soon_, save_soon_;

@@ -21,6 +21,9 @@ struct SolveServices {
   std::function<Result<solve::Solve>(const take::Take&, const solve::SolveSettings&, const Progress&)> solve;
   std::function<Status(const take::Take&, const solve::Solve&)> save;
   std::function<Result<solve::Solve>(const take::Take&, const std::string& name)> load;
+  /// Of a solve that cannot be loaded: its settings, and putting it out of the way unharmed. Returns its new folder.
+  std::function<Result<solve::SolveSettings>(const take::Take&, const std::string& name)> load_settings;
+  std::function<Result<std::filesystem::path>(const take::Take&, const std::string& name)> set_aside;
   std::function<std::vector<std::string>(const take::Take&)> list;
   /// Empty for a take without truth.
   std::function<Result<std::optional<evaluate::Truth>>(const take::Take&)> load_truth;

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -67,6 +68,7 @@ QWidget* SolveWorkspace::make_toolbar() {
   live_button_ = new QPushButton(tr("Live"), bar);
   live_button_->setCheckable(true);
   live_button_->setToolTip(tr("Show what is being captured instead of the take"));
+  status_->setObjectName(QStringLiteral("solve_status"));
   row->addWidget(status_, 1);
   row->addWidget(live_button_);
   row->addSpacing(kGrid);
@@ -99,6 +101,23 @@ QWidget* SolveWorkspace::make_toolbar() {
   return bar;
 }
 
+QWidget* SolveWorkspace::make_failure_bar() {
+  failure_bar_ = new QWidget(this);
+  auto* row = new QHBoxLayout(failure_bar_);
+  row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
+  row->setSpacing(kGrid);
+  failure_ = new QLabel(failure_bar_);
+  failure_->setProperty("role", QStringLiteral("danger"));
+  failure_->setWordWrap(true);
+  retry_ = new QPushButton(tr("Try again"), failure_bar_);
+  calibrate_ = new QPushButton(tr("Calibrate"), failure_bar_);
+  row->addWidget(failure_, 1);
+  row->addWidget(calibrate_);
+  row->addWidget(retry_);
+  failure_bar_->hide();
+  return failure_bar_;
+}
+
 QWidget* SolveWorkspace::make_main_page() {
   auto* page = new QWidget(this);
   auto* layout = new QVBoxLayout(page);
@@ -107,6 +126,7 @@ QWidget* SolveWorkspace::make_main_page() {
   viewer_ = new ViewerWidget(page);
   curves_ = new CurvesPanel(context_.time(), page);
   layout->addWidget(make_toolbar());
+  layout->addWidget(make_failure_bar());
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(viewer_);
@@ -129,7 +149,9 @@ void SolveWorkspace::follow_context() {
       viewer_->set_extent({});  // The next solve places the camera anew.
     }
   });
-  connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_figure);
+  connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_skeleton);
+  connect(retry_, &QPushButton::clicked, &model_, &SolveModel::start);
+  connect(calibrate_, &QPushButton::clicked, this, [this] { context_.reveal(QStringLiteral("calibrate")); });
   connect(&model_, &SolveModel::pose_changed, this, &SolveWorkspace::show_pose);
   connect(&context_.time(), &TimeModel::playhead_changed, this, &SolveWorkspace::show_pose);
   connect(&context_.selection(), &Selection::changed, this, &SolveWorkspace::show_selection);
@@ -221,22 +243,27 @@ void SolveWorkspace::show_state() {
     empty_button_->setVisible(true);
   } else if (state == SolveState::kFailed) {
     const Error& error = model_.error();
-    QString what = QString::fromStdString(error.message);
-    if (!what.isEmpty()) {
-      what[0] = what[0].toUpper();
-    }
-    QString remedy = QString::fromStdString(error.remedy);
-    if (!remedy.isEmpty()) {
-      remedy[0] = remedy[0].toUpper();
-    }
+    const QString what = as_sentence(QString::fromStdString(error.message));
+    const QString remedy = as_sentence(QString::fromStdString(error.remedy));
     const QString place = QString::fromStdString(error.place);
     empty_->set_texts(
         tr("This take could not be solved"),
         QStringList{what, remedy, place}.filter(QRegularExpression(QStringLiteral("\\S"))).join(QStringLiteral("\n")));
     empty_button_->setText(tr("Try again"));
   }
+  const bool failed_again = state == SolveState::kFailed && model_.solve() && !live_;
+  failure_bar_->setVisible(failed_again);
+  calibrate_->setVisible(model_.settings().calibration != "nominal");
   if (live_) {
     return;
+  }
+  if (failed_again) {
+    // What is seen is the solve from before.
+    const Error& error = model_.error();
+    failure_->setText(
+        tr("It could not be solved again; what you see is from before. %1 %2")
+            .arg(as_sentence(QString::fromStdString(error.message)), as_sentence(QString::fromStdString(error.remedy)))
+            .trimmed());
   }
   if (busy) {
     status_->set_text(state == SolveState::kLoading ? tr("Reading the solve…") : tr("Solving…"));
@@ -250,7 +277,7 @@ void SolveWorkspace::show_state() {
   }
 }
 
-void SolveWorkspace::show_figure() {
+void SolveWorkspace::show_skeleton() {
   const solve::LiveSettings& live = context_.live().settings();
   const body::Skeleton& skeleton = live_ ? live.skeleton : model_.skeleton();
   viewer_->set_skeleton(skeleton);
@@ -260,6 +287,11 @@ void SolveWorkspace::show_figure() {
   } else if (const auto& take = context_.document().take()) {
     viewer_->set_sensors(viewer_sensors(take->info.rig, skeleton));
   }
+  show_selection();
+  show_pose();
+}
+
+void SolveWorkspace::show_figure() {
   if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
     viewer_->set_extent(motion_extent(clip, 60));
@@ -268,8 +300,7 @@ void SolveWorkspace::show_figure() {
   } else {
     curves_->set_curves({}, {});
   }
-  show_selection();
-  show_pose();
+  show_skeleton();
 }
 
 void SolveWorkspace::show_pose() {
@@ -318,9 +349,7 @@ void SolveWorkspace::reveal(const QString& topic) {
 
 void SolveWorkspace::keyPressEvent(QKeyEvent* event) {
   // F and the views work wherever in the workspace the focus is.
-  if (event->key() == Qt::Key_F || event->key() == Qt::Key_S || event->key() == Qt::Key_T) {
-    QCoreApplication::sendEvent(viewer_, event);
-  } else {
+  if (!viewer_->handle_key(event->key(), event->modifiers())) {
     Workspace::keyPressEvent(event);
   }
 }

@@ -9,6 +9,7 @@
 #include "workspaces/solve/solve_model.h"
 #include "workspaces/workspace.h"
 
+class QLabel;
 class QPushButton;
 class QStackedWidget;
 class QToolButton;
@@ -38,11 +39,13 @@ class SolveWorkspace : public Workspace {
  private:
   QWidget* make_toolbar();
   QWidget* make_main_page();
+  QWidget* make_failure_bar();
   void follow_context();
   void follow_live();
   void set_live(bool live);
   void show_state();
   void show_figure();
+  void show_skeleton();
   void show_pose();
   void poll_live();
   void show_selection();
@@ -57,6 +60,9 @@ class SolveWorkspace : public Workspace {
   CurvesPanel* curves_ = nullptr;
   ElidedLabel* status_ = nullptr;
   QPushButton* live_button_ = nullptr;
+  QWidget* failure_bar_ = nullptr;  ///< Seen when solving again has failed.
+  QLabel* failure_ = nullptr;
+  QPushButton *retry_ = nullptr, *calibrate_ = nullptr;
   QToolButton* ghost_ = nullptr;
   QTimer live_timer_;
   std::uint64_t live_version_ = 0;
