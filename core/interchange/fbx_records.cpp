@@ -80,7 +80,7 @@ T element(char type, const char* p) {
     case 'd':
       return real(load<double>(p));
     default:
-      return static_cast<T>(load<std::int8_t>(p));
+      return static_cast<T>(load<std::uint8_t>(p));
   }
 }
 
@@ -217,7 +217,7 @@ class FbxParser {
           value.integer = load<std::int16_t>(p);
           break;
         default:
-          value.integer = load<std::int8_t>(p);
+          value.integer = load<std::uint8_t>(p);  // yes or no
       }
       if (value.type == 'F' || value.type == 'D') {
         value.integer = to_integer(value.number);
