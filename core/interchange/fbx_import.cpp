@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
+#include <string_view>
 #include <unordered_map>
 
 #include "geometry/so3.h"
@@ -64,11 +67,17 @@ void set_holds(motion::Track<T>& track, const std::vector<bool>& holds) {
 
 }  // namespace
 
-// One node's keys, as Assimp gives them.
+// One node's keys: Assimp's own, with times of ours.
 struct FbxImporter::NodeKeys {
+  const aiNodeAnim* channel = nullptr;
   std::vector<double> times_s;
-  std::vector<bool> holds;
-  std::vector<FbxPlacement> values;
+  const std::vector<bool>* holds = nullptr;  // null: none
+
+  [[nodiscard]] FbxPlacement value(std::size_t i) const {
+    return {vector(channel->mPositionKeys[i].mValue), rotation(channel->mRotationKeys[i].mValue),
+            vector(channel->mScalingKeys[i].mValue)};
+  }
+  [[nodiscard]] bool hold(std::size_t i) const { return holds != nullptr && (*holds)[i]; }
 };
 
 struct FbxImporter::Animation {
@@ -82,56 +91,28 @@ body::SegmentPose FbxImporter::pose_of(const Affine3d& M) const {
   return {Quaterniond(R) * bone_from_node().conjugate(), scene_.metres_per_unit * scene_.R_WF * M.translation()};
 }
 
-std::vector<FbxActor> fbx_actors(const FbxScene& scene, const FbxPlain& plain) {
-  std::vector<FbxActor> actors;
-  std::vector<int> actor_of(scene.models.size(), -1);
-  // A node between two bones counts as a bone: whether some bone hangs on a node is known from behind.
-  std::vector<bool> carries(scene.models.size(), false);
-  for (std::size_t i = scene.models.size(); i-- > 0;) {
-    const int parent = scene.models[i].parent;
-    if (parent >= 0 && (carries[i] || scene.models[i].joint)) {
-      carries[static_cast<std::size_t>(parent)] = true;
-    }
-  }
-  for (std::size_t i = 0; i < scene.models.size(); ++i) {
-    if (!plain.kept[i]) {
-      continue;
-    }
-    const int parent = scene.models[i].parent;
-    const int above = parent < 0 ? -1 : actor_of[static_cast<std::size_t>(parent)];
-    if (above >= 0 && (scene.models[i].joint || carries[i])) {
-      actor_of[i] = above;
-      actors[static_cast<std::size_t>(above)].joints.push_back(static_cast<int>(i));
-    } else if (scene.models[i].joint) {
-      FbxActor actor;
-      actor.joints.push_back(static_cast<int>(i));
-      for (int node = parent; node >= 0; node = scene.models[static_cast<std::size_t>(node)].parent) {
-        actor.above.push_back(node);
-      }
-      std::ranges::reverse(actor.above);
-      actor_of[i] = static_cast<int>(actors.size());
-      actors.push_back(std::move(actor));
-    }
-  }
-  return actors;
-}
-
 FbxImporter::FbxImporter(const FbxScene& scene, const FbxPlain& plain, const aiScene& imported)
     : scene_(scene), plain_(plain), imported_(imported), nodes_(scene.models.size(), nullptr), R_WF_(scene.R_WF) {
   std::vector<const aiNode*> open = {imported.mRootNode};
   while (!open.empty()) {
     const aiNode* node = open.back();
     open.pop_back();
-    const std::string name = node->mName.C_Str();
-    if (name.size() > 1 && name[0] == 'n' &&
-        std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; })) {
-      const std::size_t index = std::stoul(name.substr(1));
-      if (index < nodes_.size()) {
-        nodes_[index] = node;
-      }
+    if (const int model = model_of(node->mName); model >= 0) {
+      nodes_[static_cast<std::size_t>(model)] = node;
     }
     open.insert(open.end(), node->mChildren, node->mChildren + node->mNumChildren);
   }
+}
+
+int FbxImporter::model_of(const aiString& node) const {
+  const std::string_view name = node.C_Str();
+  int model = -1;
+  const char* end = name.data() + name.size();
+  if (name.size() < 2 || name[0] != 'n' || std::from_chars(name.data() + 1, end, model).ptr != end || model < 0 ||
+      static_cast<std::size_t>(model) >= scene_.models.size()) {
+    return -1;
+  }
+  return model;
 }
 
 FbxPlacement FbxImporter::rest(int model) const {
@@ -182,22 +163,20 @@ FbxImporter::Animation FbxImporter::animation(int stack) const {
     const double rate = animation.mTicksPerSecond > 0.0 ? animation.mTicksPerSecond : 60.0;
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {
       const aiNodeAnim& channel = *animation.mChannels[c];
-      const auto model = std::ranges::find_if(
-          nodes_, [&](const aiNode* node) { return node != nullptr && node->mName == channel.mNodeName; });
+      const int model = model_of(channel.mNodeName);
       const unsigned n = channel.mNumRotationKeys;
-      if (model == nodes_.end() || n == 0 || channel.mNumPositionKeys != n || channel.mNumScalingKeys != n) {
+      if (model < 0 || n == 0 || channel.mNumPositionKeys != n || channel.mNumScalingKeys != n) {
         continue;
       }
-      const auto index = static_cast<std::size_t>(model - nodes_.begin());
-      NodeKeys& node = result.nodes[static_cast<int>(index)];
+      const auto index = static_cast<std::size_t>(model);
+      NodeKeys& node = result.nodes[model];
       const bool exact = n == keys[index].times.size();
+      node.channel = &channel;
+      node.holds = exact ? &keys[index].holds : nullptr;
       for (unsigned i = 0; i < n; ++i) {
         // Its times are those that were written, counted from the first of all.
         node.times_s.push_back(exact ? seconds(keys[index].times[i])
                                      : channel.mRotationKeys[i].mTime / rate + seconds(first));
-        node.holds.push_back(exact && keys[index].holds[i]);
-        node.values.push_back({vector(channel.mPositionKeys[i].mValue), rotation(channel.mRotationKeys[i].mValue),
-                               vector(channel.mScalingKeys[i].mValue)});
       }
     }
   }
@@ -212,10 +191,10 @@ Affine3d FbxImporter::global_at(const std::vector<int>& chain, const Animation& 
       const NodeKeys& keys = found->second;
       const auto after = std::upper_bound(keys.times_s.begin(), keys.times_s.end(), time_s);
       const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - keys.times_s.begin() - 1, 0));
-      placement = keys.values[i];
-      if (i + 1 < keys.values.size() && time_s > keys.times_s[i] && !keys.holds[i]) {
+      placement = keys.value(i);
+      if (i + 1 < keys.times_s.size() && time_s > keys.times_s[i] && !keys.hold(i)) {
         const double u = (time_s - keys.times_s[i]) / (keys.times_s[i + 1] - keys.times_s[i]);
-        const FbxPlacement& next = keys.values[i + 1];
+        const FbxPlacement next = keys.value(i + 1);
         placement.translation += u * (next.translation - placement.translation);
         placement.scale += u * (next.scale - placement.scale);
         placement.R = placement.R.slerp(u, next.R);
@@ -234,14 +213,19 @@ bool FbxImporter::rigid(const FbxActor& actor, const Animation& animation) const
     const auto same = [&](const Vector3d& s) {
       return (s - Vector3d::Constant(scale)).cwiseAbs().maxCoeff() <= kSameScale * scale;
     };
+    if (!(scale > 0.0) || !same(at_rest.scale)) {
+      return false;
+    }
     const auto found = animation.nodes.find(model);
-    return scale > 0.0 && same(at_rest.scale) &&
-           (found == animation.nodes.end() || std::ranges::all_of(found->second.values, [&](const FbxPlacement& value) {
-              return same(value.scale) &&
-                     (!place_too ||
-                      (geometry::geodesic_angle(value.R, at_rest.R) < kSameAngle &&
-                       (value.translation - at_rest.translation).norm() * scene_.metres_per_unit < kSamePlace));
-            }));
+    for (std::size_t i = 0; found != animation.nodes.end() && i < found->second.times_s.size(); ++i) {
+      const FbxPlacement value = found->second.value(i);
+      const bool stays = geometry::geodesic_angle(value.R, at_rest.R) < kSameAngle &&
+                         (value.translation - at_rest.translation).norm() * scene_.metres_per_unit < kSamePlace;
+      if (!same(value.scale) || (place_too && !stays)) {
+        return false;
+      }
+    }
+    return true;
   };
   return std::ranges::all_of(actor.above, [&](int model) { return still(model, true); }) &&
          std::ranges::all_of(actor.joints, [&](int model) { return still(model, false); });
@@ -268,7 +252,8 @@ void FbxImporter::follow(motion::Clip& clip, const FbxActor& actor, const Animat
     motion::PositionTrack position;
     rotation.times = found->second.times_s;
     position.times = found->second.times_s;
-    for (const FbxPlacement& value : found->second.values) {
+    for (std::size_t key = 0; key < rotation.times.size(); ++key) {
+      const FbxPlacement value = found->second.value(key);
       if (i == 0) {
         rotation.values.push_back((R_WF_ * R_above * value.R * R_LN.conjugate()).normalized());
         position.values.push_back(scene_.metres_per_unit * scene_.R_WF * (above * value.translation));
@@ -277,8 +262,10 @@ void FbxImporter::follow(motion::Clip& clip, const FbxActor& actor, const Animat
         position.values.push_back(parent_unit * (R_LN * value.translation));
       }
     }
-    set_holds(rotation, found->second.holds);
-    set_holds(position, found->second.holds);
+    if (found->second.holds != nullptr) {
+      set_holds(rotation, *found->second.holds);
+      set_holds(position, *found->second.holds);
+    }
     drop_still(position, [&](const Vector3d& p) { return (p - segment.p_PL).norm() < kSamePlace; });
     if (!position.empty()) {
       drop_still(rotation,

@@ -27,15 +27,17 @@ class FbxImporter {
 
   /// The actor in animation `stack`; without any movement when it is negative.
   [[nodiscard]] motion::Clip clip(const FbxActor& actor, int stack) const;
-  /// The meshes that mostly hang on the actor.
-  [[nodiscard]] std::vector<std::shared_ptr<const motion::SkinnedMesh>> meshes(const FbxActor& actor,
-                                                                               const std::vector<FbxActor>& all) const;
+  /// Meshes by actor: each with the one that has most of its bones.
+  [[nodiscard]] std::vector<std::vector<std::shared_ptr<const motion::SkinnedMesh>>> meshes(
+      const std::vector<FbxActor>& actors) const;
 
  private:
   struct NodeKeys;
   struct Animation;
 
   [[nodiscard]] Animation animation(int stack) const;
+  /// The model that a node of the plain file stands for, or -1.
+  [[nodiscard]] int model_of(const aiString& node) const;
   [[nodiscard]] FbxPlacement rest(int model) const;
   /// A bone's rigid place in our world from its matrix in the file's.
   [[nodiscard]] body::SegmentPose pose_of(const Eigen::Affine3d& M) const;

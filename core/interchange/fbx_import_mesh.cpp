@@ -91,9 +91,7 @@ std::shared_ptr<const motion::SkinnedMesh> FbxImporter::mesh(const FbxPlainMesh&
   std::vector<body::SegmentPose> bind(actor.joints.size());
   for (unsigned b = 0; b < imported.mNumBones; ++b) {
     const aiBone& bone = *imported.mBones[b];
-    const auto node = std::ranges::find_if(
-        nodes_, [&](const aiNode* candidate) { return candidate != nullptr && candidate->mName == bone.mName; });
-    const auto segment = segment_of.find(static_cast<int>(node - nodes_.begin()));
+    const auto segment = segment_of.find(model_of(bone.mName));
     if (segment == segment_of.end()) {
       continue;
     }
@@ -139,25 +137,30 @@ std::shared_ptr<const motion::SkinnedMesh> FbxImporter::mesh(const FbxPlainMesh&
   return mesh;
 }
 
-std::vector<std::shared_ptr<const motion::SkinnedMesh>> FbxImporter::meshes(const FbxActor& actor,
-                                                                            const std::vector<FbxActor>& all) const {
-  std::vector<std::shared_ptr<const motion::SkinnedMesh>> result;
-  const auto shared_bones = [&](const FbxActor& candidate, const FbxSkin& skin) {
-    return std::ranges::count_if(skin.clusters, [&](const FbxCluster& cluster) {
-      return std::ranges::binary_search(candidate.joints, cluster.model);
-    });
-  };
+std::vector<std::vector<std::shared_ptr<const motion::SkinnedMesh>>> FbxImporter::meshes(
+    const std::vector<FbxActor>& actors) const {
+  std::vector<std::vector<std::shared_ptr<const motion::SkinnedMesh>>> result(actors.size());
+  std::unordered_map<int, std::size_t> actor_of;
+  for (std::size_t a = 0; a < actors.size(); ++a) {
+    for (const int joint : actors[a].joints) {
+      actor_of[joint] = a;
+    }
+  }
   for (const FbxPlainMesh& plain : plain_.meshes) {
-    const FbxSkin& skin = scene_.skins[static_cast<std::size_t>(plain.skin)];
-    const auto owner =
-        std::ranges::max_element(all, {}, [&](const FbxActor& candidate) { return shared_bones(candidate, skin); });
+    std::unordered_map<std::size_t, int> bones;
+    for (const FbxCluster& cluster : scene_.skins[static_cast<std::size_t>(plain.skin)].clusters) {
+      if (const auto found = actor_of.find(cluster.model); found != actor_of.end()) {
+        ++bones[found->second];
+      }
+    }
+    const auto owner = std::ranges::max_element(bones, {}, [](const auto& entry) { return entry.second; });
     const std::string name = fmt::format("m{}", plain.skin);
-    for (unsigned m = 0; owner != all.end() && &*owner == &actor && m < imported_.mNumMeshes; ++m) {
+    for (unsigned m = 0; owner != bones.end() && m < imported_.mNumMeshes; ++m) {
       if (name != imported_.mMeshes[m]->mName.C_Str()) {
         continue;
       }
-      if (auto made = this->mesh(plain, *imported_.mMeshes[m], actor)) {
-        result.push_back(std::move(made));
+      if (auto made = mesh(plain, *imported_.mMeshes[m], actors[owner->first])) {
+        result[owner->first].push_back(std::move(made));
       }
     }
   }

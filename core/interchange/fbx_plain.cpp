@@ -19,6 +19,12 @@ using Eigen::Vector3d;
 
 // Keys of all nodes and animations together: a person of 25 joints for an hour and a half at 120 Hz.
 constexpr std::size_t kMostKeys = 20'000'000;
+// Of them, keys that are put between the file's own: a few bytes can ask for very many.
+constexpr std::size_t kMostAddedKeys = 3'000'000;
+// Nodes, and nodes times animations.
+constexpr std::size_t kMostModels = 100'000;
+constexpr std::size_t kMostModelStacks = 2'000'000;
+constexpr std::size_t kMostSkins = 2000;
 // Rotations that turn further than this between two keys are given every frame: Euler angles and quaternions go
 // different ways.
 constexpr double kLargestTurn = 5.0;  // degrees
@@ -31,6 +37,7 @@ FbxChannels channels(const FbxPlacement& placement, EulerAngles& angles) {
 
 // The curves that move one node in one stack.
 struct Moving {
+  const FbxLayer* first;  // of the stack
   const FbxLayer* layer;
   const FbxCurveNode* node;
   std::array<std::optional<FbxCurve>, 3> curves;
@@ -42,6 +49,11 @@ class PlainWriter {
       : records_(records), scene_(scene), out_(sink_), file_(out_) {}
 
   Result<FbxPlain> write() {
+    if (scene_.models.size() > kMostModels || scene_.skins.size() > kMostSkins ||
+        scene_.models.size() * scene_.stacks.size() > kMostModelStacks) {
+      return records_.error(0, fmt::format("it has {} nodes, {} animations and {} skins", scene_.models.size(),
+                                           scene_.stacks.size(), scene_.skins.size()));
+    }
     choose_models();
     plain_.keys.assign(scene_.stacks.size(), std::vector<FbxPlainKeys>(scene_.models.size()));
     FbxHeader header;
@@ -146,7 +158,7 @@ class PlainWriter {
               const std::vector<std::pair<const FbxLayer*, const FbxCurveNode*>>& nodes, FbxId layer) {
     std::vector<Moving> moving;
     for (const auto& [from_layer, from_node] : nodes) {
-      Moving& entry = moving.emplace_back(Moving{from_layer, from_node, {}});
+      Moving& entry = moving.emplace_back(Moving{&scene_.stacks[stack].layers.front(), from_layer, from_node, {}});
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (from_node->curves[axis] == nullptr) {
           continue;
@@ -188,26 +200,24 @@ class PlainWriter {
     return {};
   }
 
-  static FbxChannels value_of(const Moving& entry, std::int64_t tick, FbxChannels values) {
+  static Vector3d value_of(const Moving& entry, std::int64_t tick) {
     Vector3d own = entry.node->constant;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (entry.curves[axis]) {
         own[static_cast<int>(axis)] = entry.curves[axis]->at(tick);
       }
     }
-    values[entry.node->channel] = own;
-    return values;
+    return own;
   }
 
   // All layers together: the first as it is, additive ones on top, others in its place by their weight.
   FbxChannels sample(const std::vector<Moving>& moving, std::size_t model, std::int64_t tick) const {
     FbxChannels values = scene_.models[model].rest;
-    std::array<bool, 3> set{};
     for (const Moving& entry : moving) {
       const FbxChannelIndex c = entry.node->channel;
-      const Vector3d own = value_of(entry, tick, values)[c];
+      const Vector3d own = value_of(entry, tick);
       const double weight = entry.layer->weight;
-      if (!set[c]) {
+      if (entry.layer == moving.front().first) {
         values[c] = own;
       } else if (!entry.layer->additive) {
         values[c] += weight * (own - values[c]);
@@ -216,7 +226,6 @@ class PlainWriter {
       } else {
         values[c] += weight * own;
       }
-      set[c] = true;
     }
     return values;
   }
@@ -259,7 +268,7 @@ class PlainWriter {
       for (double at = std::floor(static_cast<double>(from) / frame + 1e-3) + 1.0;
            at * frame < static_cast<double>(own[i + 1]) - 1e-3 * frame; at += 1.0) {
         const std::int64_t tick = std::llround(at * frame);
-        if (++keys_ > kMostKeys) {
+        if (++keys_ > kMostKeys || ++added_ > kMostAddedKeys) {
           return false;
         }
         if (tick > keys.times.back()) {
@@ -319,6 +328,7 @@ class PlainWriter {
   FbxPlain plain_;
   std::vector<FbxId> ids_;
   std::size_t keys_ = 0;
+  std::size_t added_ = 0;
 };
 
 }  // namespace

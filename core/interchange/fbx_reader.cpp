@@ -3,9 +3,11 @@
 #include <assimp/config.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 
 #include "base/files.h"
+#include "interchange/clip_check.h"
 #include "interchange/fbx_import.h"
 #include "interchange/fbx_plain.h"
 #include "motion/transforms.h"
@@ -16,6 +18,7 @@ namespace {
 // Segments are counted with 16 bits in meshes.
 constexpr std::size_t kMostJoints = 60000;
 constexpr std::size_t kMostClips = 1000;
+constexpr double kFurthest = 1e9;  // m
 
 motion::Clip along_bones(motion::Clip clip) {
   std::vector<Eigen::Quaterniond> turns;
@@ -23,6 +26,24 @@ motion::Clip along_bones(motion::Clip clip) {
     turns.push_back(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction));
   }
   return motion::with_bone_frames(std::move(clip), turns);
+}
+
+// Each number of the file may be sane by itself and all together not: scales multiply.
+Status check_sane(const motion::Clip& clip, const std::string& place) {
+  Status status = check_clip(clip);
+  for (const auto& mesh : clip.meshes) {
+    status = status ? motion::validate(*mesh, clip.skeleton) : status;
+  }
+  const auto near = [](const Eigen::Vector3d& p) { return p.norm() < kFurthest; };
+  bool all_near = std::ranges::all_of(clip.root_position.values, near);
+  for (std::size_t i = 0; status && i < clip.joints.size(); ++i) {
+    all_near =
+        all_near && near(clip.skeleton.segments[i].p_PL) && std::ranges::all_of(clip.joints[i].position.values, near);
+  }
+  if (!status) {
+    return Error{status.error().message, place, "export it again"};
+  }
+  return all_near ? Status() : Status(Error{"has bones that are absurdly far away", place, "check its unit and scale"});
 }
 
 }  // namespace
@@ -37,7 +58,7 @@ Result<std::vector<motion::Clip>> read_fbx(std::string_view bytes, const std::st
   if (!scene) {
     return scene.error();
   }
-  const Result<FbxPlain> plain = plain_fbx(*records, *scene);
+  Result<FbxPlain> plain = plain_fbx(*records, *scene);
   if (!plain) {
     return plain.error();
   }
@@ -62,17 +83,18 @@ Result<std::vector<motion::Clip>> read_fbx(std::string_view bytes, const std::st
   if (imported == nullptr || imported->mRootNode == nullptr) {
     return Error{fmt::format("cannot be understood ({})", importer.GetErrorString()), place, "export it again"};
   }
+  plain->bytes = {};  // as long as the animation
   const FbxImporter import(*scene, *plain, *imported);
-  std::vector<std::vector<std::shared_ptr<const motion::SkinnedMesh>>> meshes;
-  for (const FbxActor& actor : actors) {
-    meshes.push_back(import.meshes(actor, actors));
-  }
+  const auto meshes = import.meshes(actors);
   std::vector<motion::Clip> clips;
   const int stacks = static_cast<int>(scene->stacks.size());
   for (int stack = stacks == 0 ? -1 : 0; stack < stacks; ++stack) {
     for (std::size_t a = 0; a < actors.size(); ++a) {
       clips.push_back(import.clip(actors[a], stack));
       clips.back().meshes = meshes[a];
+      if (Status status = check_sane(clips.back(), place); !status) {
+        return status.error();
+      }
       if (options.frames == BoneFrames::kAlongBone) {
         clips.back() = along_bones(std::move(clips.back()));
       }

@@ -18,8 +18,9 @@ static_assert(std::endian::native == std::endian::little, "FBX is little-endian"
 constexpr int kDeepest = 32;
 constexpr std::size_t kMostRecords = 2'000'000;
 constexpr std::size_t kMostValues = 8'000'000;
-// Arrays together, unpacked: two hours of 60 joints at 60 Hz need less.
-constexpr std::uint64_t kMostBytes = std::uint64_t{3} << 30;
+// Arrays together, unpacked: so much, and so many times the file's size; two hours of 60 joints at 60 Hz need less.
+constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t kMostTimes = 100;
 // zlib cannot pack more bytes than these into one.
 constexpr std::uint64_t kBestPacking = 1032;
 constexpr std::uint32_t kWideFrom = 7500;  // 64-bit record headers
@@ -79,7 +80,7 @@ T element(char type, const char* p) {
     case 'd':
       return real(load<double>(p));
     default:
-      return static_cast<T>(load<std::int8_t>(p));
+      return static_cast<T>(load<std::uint8_t>(p));
   }
 }
 
@@ -216,7 +217,7 @@ class FbxParser {
           value.integer = load<std::int16_t>(p);
           break;
         default:
-          value.integer = load<std::int8_t>(p);
+          value.integer = load<std::uint8_t>(p);  // yes or no
       }
       if (value.type == 'F' || value.type == 'D') {
         value.integer = to_integer(value.number);
@@ -248,6 +249,7 @@ const FbxValue& FbxRecord::value(std::size_t index) const {
 Result<FbxRecords> FbxRecords::parse(std::string_view bytes, const std::string& place) {
   FbxRecords records;
   records.place_ = place;
+  records.most_unpacked_ = kMostBytes + kMostTimes * bytes.size();
   if (Status status = FbxParser(bytes, records).parse(); !status) {
     return status.error();
   }
@@ -268,7 +270,7 @@ Result<std::vector<T>> FbxRecords::array(const FbxRecord& record, const std::str
   const std::uint64_t plain = std::uint64_t{value.count} * size;
   // Bytes as they are, and as numbers of eight bytes.
   unpacked_ += plain + 8 * std::uint64_t{value.count};
-  if (unpacked_ > kMostBytes) {
+  if (unpacked_ > most_unpacked_) {
     return error(record.offset, "its lists of numbers are too long to be read");
   }
   std::string buffer;

@@ -63,6 +63,7 @@ class FbxRecords {
   FbxRecord root_;
   std::uint32_t version_ = 0;
   std::uint64_t unpacked_ = 0;  ///< Bytes of arrays so far.
+  std::uint64_t most_unpacked_ = 0;
 };
 
 }  // namespace limbwave::interchange

@@ -7,10 +7,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "base/units.h"
-#include "interchange/euler.h"
 #include "interchange/fbx_format.h"
-#include "interchange/names.h"
+#include "interchange/fbx_properties.h"
 
 namespace limbwave::interchange {
 namespace {
@@ -18,42 +16,14 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Further than a light second, or turned a million times, is a mistake.
-constexpr double kLargestNumber = 3e8;
 // Nodes deeper than this are no skeleton.
 constexpr int kDeepestNode = 1000;
+// Connections followed, each as often as it is met; repeated ones would multiply.
+constexpr std::size_t kMostSteps = 4'000'000;
 
-// R = third · second · first, as multiplied.
-constexpr std::array<EulerOrder, 6> kOrders = {
-    EulerOrder{2, 1, 0}, EulerOrder{1, 2, 0}, EulerOrder{0, 2, 1},
-    EulerOrder{2, 0, 1}, EulerOrder{1, 0, 2}, EulerOrder{0, 1, 2},
-};
-
-Quaterniond rotation(const Vector3d& in_degrees, int order) {
-  const EulerOrder& axes = kOrders[static_cast<std::size_t>(order)];
-  const auto angle = [&](int axis) { return radians(in_degrees[axis]); };
-  return from_euler({angle(axes[0]), angle(axes[1]), angle(axes[2])}, axes);
-}
-
-// The part of an object's name that people see.
-std::string plain(std::string_view name) {
-  return to_utf8(name.substr(0, name.find(kFbxNameSeparator)));
-}
-
-// A property of a Properties70 record; its values begin at the fifth place.
-const FbxRecord* property(const FbxRecord& object, std::string_view name) {
-  const FbxRecord* list = object.find("Properties70");
-  if (list == nullptr) {
-    return nullptr;
-  }
-  const auto found = std::ranges::find_if(
-      list->children, [&](const FbxRecord& entry) { return entry.value(0).is_text() && entry.value(0).bytes == name; });
-  return found == list->children.end() ? nullptr : &*found;
-}
-
-class SceneReader {
+class SceneReader : private FbxPropertyReader {
  public:
-  explicit SceneReader(const FbxRecords& records) : records_(records) {}
+  explicit SceneReader(const FbxRecords& records) : FbxPropertyReader(records), records_(records) {}
 
   Result<FbxScene> read() {
     settings();
@@ -66,8 +36,9 @@ class SceneReader {
     }
     skins();
     stacks();
-    if (failure_) {
-      return *failure_;
+    bones_without_type();
+    if (failure()) {
+      return *failure();
     }
     return std::move(scene_);
   }
@@ -77,40 +48,6 @@ class SceneReader {
     std::int64_t other;
     std::string_view property;
   };
-
-  void fail(const FbxRecord& record, const std::string& message) {
-    if (!failure_) {
-      failure_ = records_.error(record.offset, message);
-    }
-  }
-
-  double number(const FbxRecord& record, std::size_t index, double otherwise) {
-    const FbxValue& value = record.value(index);
-    if (!value.is_number() || value.type == 0) {
-      return otherwise;
-    }
-    if (!(std::abs(value.number) <= kLargestNumber)) {
-      fail(record, fmt::format("{} has a number that is absurd or none",
-                               record.value(0).is_text() ? plain(record.value(0).bytes) : plain(record.name)));
-      return otherwise;
-    }
-    return value.number;
-  }
-  double property_number(const FbxRecord& object, std::string_view name, double otherwise) {
-    const FbxRecord* found = property(object, name);
-    return found == nullptr ? otherwise : number(*found, 4, otherwise);
-  }
-  Vector3d property_vector(const FbxRecord& object, std::string_view name, const Vector3d& otherwise) {
-    const FbxRecord* found = property(object, name);
-    if (found == nullptr) {
-      return otherwise;
-    }
-    return {number(*found, 4, otherwise.x()), number(*found, 5, otherwise.y()), number(*found, 6, otherwise.z())};
-  }
-  static std::int64_t property_ticks(const FbxRecord& object, std::string_view name) {
-    const FbxRecord* found = property(object, name);
-    return found == nullptr ? 0 : found->value(4).integer;
-  }
 
   void settings() {
     static const FbxRecord kNone;
@@ -185,6 +122,10 @@ class SceneReader {
       return;
     }
     for (const Connection& child : list->second) {
+      if (++steps_ > kMostSteps) {
+        fail(records_.root(), "there are more connections than any program writes");
+        return;
+      }
       const auto object = objects_.find(child.other);
       if (object != objects_.end() && object->second->name == type) {
         use(child.other, *object->second, child.property);
@@ -208,7 +149,7 @@ class SceneReader {
       open.pop_back();
       std::vector<Open> found;
       each_child(top.id, "Model", [&](std::int64_t id, const FbxRecord& record, std::string_view) {
-        if (index_.contains(id) || failure_) {
+        if (index_.contains(id) || failure()) {
           return;  // hangs on several: the first counts
         }
         if (top.depth > kDeepestNode) {
@@ -222,25 +163,27 @@ class SceneReader {
       open.insert(open.end(), found.rbegin(), found.rend());
     }
     as_in_file();
-    // A bone that cannot be reached from the scene's root hangs on nothing, or in a circle.
-    for (const auto& [id, record] : objects_) {
-      if (record->name != "Model" || index_.contains(id)) {
-        continue;
-      }
-      std::int64_t at = id;
-      for (int steps = 0; steps <= kDeepestNode; ++steps) {
-        const auto parent = parents_.find(at);
-        if (parent == parents_.end()) {
+    circles();
+    return failure() ? Status(*failure()) : Status();
+  }
+
+  // A node that cannot be reached from the scene's root hangs on nothing, or in a circle. Each is passed once.
+  void circles() {
+    std::unordered_map<std::int64_t, std::int64_t> passed_from;
+    for (const auto& [start, parent] : parents_) {
+      std::int64_t at = start;
+      while (!index_.contains(at) && passed_from.emplace(at, start).second) {
+        const auto next = parents_.find(at);
+        if (next == parents_.end()) {
           break;
         }
-        at = parent->second;
-        if (at == id) {
-          fail(*record, fmt::format("\"{}\" hangs on itself", plain(record->value(1).bytes)));
-          break;
+        at = next->second;
+        if (const auto passed = passed_from.find(at); passed != passed_from.end() && passed->second == start) {
+          const FbxRecord& record = *objects_.at(at);
+          fail(record, fmt::format("\"{}\" hangs on itself", fbx_plain_name(record.value(1).bytes)));
         }
       }
     }
-    return failure_ ? Status(*failure_) : Status();
   }
 
   // The order of the file, where it has parents before children as most have.
@@ -272,7 +215,7 @@ class SceneReader {
 
   FbxModel model(const FbxRecord& record, int parent) {
     FbxModel model;
-    model.name = plain(record.value(1).bytes);
+    model.name = fbx_plain_name(record.value(1).bytes);
     model.type = std::string(record.value(2).bytes);
     model.offset = record.offset;
     model.parent = parent;
@@ -284,15 +227,15 @@ class SceneReader {
     if (property_number(record, "RotationActive", 0.0) != 0.0) {
       const double order = property_number(record, "RotationOrder", 0.0);
       model.rotation_order = order >= 0.0 && order < 6.0 ? static_cast<int>(order) : 0;
-      model.pre = rotation(property_vector(record, "PreRotation", zero), 0);
-      model.post = rotation(property_vector(record, "PostRotation", zero), 0);
+      model.pre = fbx_rotation(property_vector(record, "PreRotation", zero), 0);
+      model.post = fbx_rotation(property_vector(record, "PostRotation", zero), 0);
     }
     model.rotation_offset = property_vector(record, "RotationOffset", zero);
     model.rotation_pivot = property_vector(record, "RotationPivot", zero);
     model.scaling_offset = property_vector(record, "ScalingOffset", zero);
     model.scaling_pivot = property_vector(record, "ScalingPivot", zero);
     model.geometric = Eigen::Translation3d(property_vector(record, "GeometricTranslation", zero)) *
-                      rotation(property_vector(record, "GeometricRotation", zero), 0) *
+                      fbx_rotation(property_vector(record, "GeometricRotation", zero), 0) *
                       Eigen::Scaling(property_vector(record, "GeometricScaling", Vector3d::Ones()));
     model.inherits_scale = property_number(record, "InheritType", 1.0) != 2.0;
     model.length_m = property_number(record, kFbxLengthProperty, -1.0);
@@ -331,7 +274,7 @@ class SceneReader {
       if (record->name != "AnimationStack") {
         continue;
       }
-      FbxStack stack{plain(record->value(1).bytes),
+      FbxStack stack{fbx_plain_name(record->value(1).bytes),
                      property_ticks(*record, "LocalStart"),
                      property_ticks(*record, "LocalStop"),
                      {}};
@@ -359,6 +302,21 @@ class SceneReader {
     scene_.stacks = std::move(sorted);
   }
 
+  // Some programs write skeletons of plain nodes.
+  void bones_without_type() {
+    if (std::ranges::any_of(scene_.models, &FbxModel::joint)) {
+      return;
+    }
+    for (const FbxStack& stack : scene_.stacks) {
+      for (const FbxLayer& layer : stack.layers) {
+        for (const FbxCurveNode& node : layer.nodes) {
+          FbxModel& model = scene_.models[static_cast<std::size_t>(node.model)];
+          model.joint = model.type == "Null" || model.type.empty();
+        }
+      }
+    }
+  }
+
   void curve_node(FbxLayer& layer, std::int64_t node_id, const FbxRecord& node) {
     if (targets_.empty()) {
       // The other way round: which nodes move which models.
@@ -371,7 +329,14 @@ class SceneReader {
       }
     }
     const auto found = targets_.find(node_id);
-    for (const Connection& target : found == targets_.end() ? std::vector<Connection>() : found->second) {
+    if (found == targets_.end()) {
+      return;
+    }
+    for (const Connection& target : found->second) {
+      if (++steps_ > kMostSteps) {
+        fail(node, "there are more connections than any program writes");
+        return;
+      }
       constexpr std::array<std::string_view, 3> kProperties = {"Lcl Translation", "Lcl Rotation", "Lcl Scaling"};
       const auto channel = std::ranges::find(kProperties, target.property);
       if (channel == kProperties.end()) {
@@ -408,22 +373,10 @@ class SceneReader {
   std::unordered_map<std::int64_t, std::int64_t> parents_;
   std::unordered_map<std::int64_t, int> index_;
   std::vector<std::size_t> order_;
-  std::optional<Error> failure_;
+  std::size_t steps_ = 0;
 };
 
 }  // namespace
-
-FbxPlacement FbxModel::placement(const FbxChannels& values) const {
-  // World = T · Roff · Rp · Rpre · R · Rpost⁻¹ · Rp⁻¹ · Soff · Sp · S · Sp⁻¹ (FBX SDK, "Computing transformation
-  // matrices").
-  FbxPlacement result;
-  result.R = (pre * rotation(values[kFbxRotation], rotation_order) * post.conjugate()).normalized();
-  result.scale = values[kFbxScaling];
-  const Vector3d inside =
-      scaling_offset + scaling_pivot - rotation_pivot - values[kFbxScaling].cwiseProduct(scaling_pivot);
-  result.translation = values[kFbxTranslation] + rotation_offset + rotation_pivot + result.R * inside;
-  return result;
-}
 
 Result<FbxScene> fbx_scene(const FbxRecords& records) {
   return SceneReader(records).read();

@@ -21,6 +21,9 @@ struct FbxPlacement {
 using FbxChannels = std::array<Eigen::Vector3d, 3>;
 enum FbxChannelIndex : std::size_t { kFbxTranslation, kFbxRotation, kFbxScaling };
 
+/// Euler angles in degrees about x, y, z, in one of the orders of FbxModel::rotation_order.
+Eigen::Quaterniond fbx_rotation(const Eigen::Vector3d& in_degrees, int order);
+
 /// A node of the scene (FBX calls it Model) with everything that FBX lets take part in its placement.
 struct FbxModel {
   std::string name;
@@ -65,7 +68,7 @@ struct FbxCurveNode {
 
 struct FbxLayer {
   double weight = 1.0;
-  bool additive = false;  ///< Adds to the layers before it; else replaces them.
+  bool additive = false;  ///< Adds to the layers before it; else replaces them. The first is what it is.
   std::vector<FbxCurveNode> nodes;
 };
 
@@ -86,6 +89,7 @@ struct FbxScene {
   std::vector<FbxStack> stacks;
 };
 
+/// Where no node is a bone, those that move count as bones.
 /// Fails, with the byte, on nodes that hang on each other in a circle, numbers that are not finite or absurd, and lists
 /// of the wrong length. What hangs nowhere is left out.
 Result<FbxScene> fbx_scene(const FbxRecords& records);
