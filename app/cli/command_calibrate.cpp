@@ -169,7 +169,7 @@ void calibrate_limb(const Options& options, bool as_json, Console& console) {
       const auto s = static_cast<std::size_t>(sensor.sensor);
       const bool accepted = sensor.verdict != calibrate::Verdict::kRepeat || options.save_poor;
       failed = failed || !accepted;
-      if (accepted) {
+      if (accepted && sensor.mount.method != "nominal") {
         calibration.mounts[s] = sensor.mount;
       }
       report.push_back({{"group", group.name},

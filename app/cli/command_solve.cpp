@@ -36,7 +36,7 @@ void add_solve(CLI::App& app, Console& console) {
       ->check(CLI::IsMember({"none", "adaptive", "bridging"}))
       ->capture_default_str();
   command->add_option("--smoothing-time", options->settings.smoothing_s, "Time scale of smoothing, seconds")
-      ->check(CLI::Range(0.0, 2.0))
+      ->check(CLI::Range(estimate::kLeastSmoothing_s, 2.0))
       ->capture_default_str();
   command
       ->add_option("--calibration", options->settings.calibration,

@@ -54,6 +54,12 @@ bool is(const unsigned char* p, std::string_view marker) {
   return std::memcmp(p, marker.data(), marker.size()) == 0;
 }
 
+// True where the size of the whole file in its header fits: then a size of 0 means that there are no samples, not that
+// the header was never closed. Some writers leave the byte out that pads the last chunk.
+bool was_closed(std::uint64_t declared_bytes, std::uint64_t file_bytes) {
+  return declared_bytes == file_bytes || declared_bytes == file_bytes + 1 || declared_bytes + 1 == file_bytes;
+}
+
 // The first 16 bytes of a WAVE `fmt ` chunk.
 void read_wave_format(const unsigned char* p, ContainerLayout& layout) {
   const auto tag = little(p, 2);
@@ -68,6 +74,8 @@ std::optional<ContainerLayout> read_wav(Bytes& file, bool is_rf64) {
   layout.file_bytes = file.size();
   std::uint64_t long_data_bytes = 0;
   bool has_format = false;
+  unsigned char whole[8];
+  const bool is_closed = file.read(0, whole, sizeof whole) && was_closed(little(whole + 4, 4) + 8, file.size());
   std::uint64_t at = 12;
   for (int i = 0; i < kChunkLimit; ++i) {
     unsigned char head[8];
@@ -84,7 +92,7 @@ std::optional<ContainerLayout> read_wav(Bytes& file, bool is_rf64) {
       const bool is_long = size == 0xFFFFFFFFU;
       if (is_long && is_rf64) {
         layout.data_bytes = long_data_bytes;
-      } else if (!is_long && (size != 0 || layout.data_offset >= layout.file_bytes)) {
+      } else if (!is_long && (size != 0 || is_closed || layout.data_offset >= layout.file_bytes)) {
         layout.data_bytes = size;
       }
       return layout;
@@ -104,6 +112,8 @@ std::optional<ContainerLayout> read_wave64(Bytes& file) {
   ContainerLayout layout;
   layout.file_bytes = file.size();
   bool has_format = false;
+  unsigned char whole[24];
+  const bool is_closed = file.read(0, whole, sizeof whole) && was_closed(little(whole + 16, 8), file.size());
   std::uint64_t at = 40;  // two markers of 16 bytes around a size of 8
   for (int i = 0; i < kChunkLimit; ++i) {
     unsigned char head[24];
@@ -117,7 +127,7 @@ std::optional<ContainerLayout> read_wave64(Bytes& file) {
         return std::nullopt;
       }
       layout.data_offset = at + 24;
-      if (size > 24 || layout.data_offset >= layout.file_bytes) {
+      if (size > 24 || is_closed || layout.data_offset >= layout.file_bytes) {
         layout.data_bytes = size > 24 ? size - 24 : 0;
       }
       return layout;
@@ -171,8 +181,10 @@ std::optional<ContainerLayout> read_aiff(Bytes& file, bool is_aifc) {
   if (!has_format || !has_data) {
     return std::nullopt;
   }
+  unsigned char whole[8];
+  const bool is_closed = file.read(0, whole, sizeof whole) && was_closed(big(whole + 4, 4) + 8, file.size());
   const std::uint64_t declared = frames * static_cast<std::uint64_t>(layout.bytes_per_frame);
-  if (declared != 0 || (frames == 0 && layout.data_offset >= layout.file_bytes)) {
+  if (declared != 0 || (frames == 0 && (is_closed || layout.data_offset >= layout.file_bytes))) {
     layout.data_bytes = declared;
   }
   return layout;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -46,7 +47,9 @@ Result<std::string> read_file(const fs::path& path, std::size_t limit_bytes) {
 }
 
 Status write_file(const fs::path& path, std::string_view content) {
-  const fs::path part = path.string() + ".part" + std::to_string(::getpid());
+  // A name of this call's own: threads may save the same file at once.
+  static std::atomic<unsigned> calls{0};
+  const fs::path part = path.string() + ".part" + std::to_string(::getpid()) + "-" + std::to_string(calls++);
   const auto fail = [&](const char* what) {
     const int reason = errno;
     ::unlink(part.c_str());

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/files.h"
+#include "base/folder.h"
 #include "base/json_reader.h"
 #include "base/units.h"
 #include "body/json_geometry.h"
@@ -199,13 +200,11 @@ std::string shipped_or_path(const std::string& folder, const std::string& name_o
 
 std::vector<std::string> shipped_names(const std::string& folder) {
   std::vector<std::string> names;
-  std::error_code code;
-  for (const auto& entry : std::filesystem::directory_iterator(resources_folder() / folder, code)) {
-    if (entry.path().extension() == ".json") {
-      names.push_back(entry.path().stem().string());
+  for (const std::filesystem::path& entry : entries_of(resources_folder() / folder)) {
+    if (entry.extension() == ".json") {
+      names.push_back(entry.stem().string());
     }
   }
-  std::sort(names.begin(), names.end());
   return names;
 }
 

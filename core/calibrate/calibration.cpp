@@ -1,5 +1,7 @@
 #include "calibrate/calibration.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/json_reader.h"
@@ -65,6 +67,23 @@ RigCalibration nominal_calibration(const body::Rig& rig) {
     calibration.mounts.push_back(mount);
   }
   return calibration;
+}
+
+Status check_calibration(const RigCalibration& calibration, const body::Rig& rig) {
+  const std::size_t count = rig.accelerometers.size();
+  if (calibration.sensors.size() != count || calibration.mounts.size() != count) {
+    return Error{fmt::format("the calibration is of {} sensors with {} mounts, but the rig has {}",
+                             calibration.sensors.size(), calibration.mounts.size(), count),
+                 rig.name, "calibrate again"};
+  }
+  for (std::size_t s = 0; s < count; ++s) {
+    if (calibration.mounts[s].sensor != rig.accelerometers[s].name) {
+      return Error{fmt::format("the calibration has \"{}\" where the rig has \"{}\"", calibration.mounts[s].sensor,
+                               rig.accelerometers[s].name),
+                   rig.name, "put the entries into the order of the rig, or calibrate again"};
+    }
+  }
+  return {};
 }
 
 SensorCalibration sensor_calibration_from_json(const JsonReader& reader) {

@@ -50,6 +50,9 @@ struct RigCalibration {
 /// From the rig's data sheet alone.
 RigCalibration nominal_calibration(const body::Rig& rig);
 
+/// Fails when `calibration` is not of this rig: one entry per accelerometer, in its order, mounts by its names.
+Status check_calibration(const RigCalibration& calibration, const body::Rig& rig);
+
 Result<RigCalibration> calibration_from_json(const nlohmann::json& json, const std::string& place);
 nlohmann::json calibration_to_json(const RigCalibration& calibration);
 

@@ -192,8 +192,7 @@ SensorLimbResult LimbCalibrator::judge(std::size_t index, const std::array<Still
   const double expected = angle_deg(group_.first.gravity_L, group_.second.gravity_L);
   result.angle_error_deg = between - expected;
   result.mount.sensor = accelerometer.name;
-  result.mount.method = "two poses";
-  result.mount.date = date;
+  result.mount.method = "nominal";
   result.mount.R_LS = accelerometer.R_LS;
   result.mount.pose_angle_deg = between;
   result.mount.stillness_g = result.movement_g;
@@ -203,6 +202,8 @@ SensorLimbResult LimbCalibrator::judge(std::size_t index, const std::array<Still
     result.text = fmt::format("repeat: this sensor's gravity turned by {:.0f}° between the poses, not by 90°", between);
     return result;
   }
+  result.mount.method = "two poses";
+  result.mount.date = date;
   result.mount.R_LS = *R_LS;
   result.from_nominal_deg = degrees(geometry::geodesic_angle(*R_LS, accelerometer.R_LS));
 

@@ -33,8 +33,10 @@ class CycleDecoder {
   void decode(const CycleBounds& bounds, const ChannelView& data, const ChannelView& counter, LineInCycle& out);
   /// Corners, swing, noise and clipped slots into a status.
   void tell(LineInStatus& status) const;
+  /// Tells again what is still going on, and counts anew.
+  void restart_findings() { monitor_.restart(); }
   /// Sums up what the user should know.
-  void finish() { monitor_.finish(); }
+  void sum_up_findings() { monitor_.sum_up(); }
 
   /// First sample that the next cycle still needs, if it follows.
   [[nodiscard]] std::int64_t needs_from() const { return meter_.needs_from(); }

@@ -8,18 +8,22 @@
 
 namespace limbwave::decode {
 
-/// The first few of a kind are told as they come, the rest is counted and summed up at the end.
+/// The first few of a kind are told as they come, then one a minute, for whoever looks at a line for hours. The rest is
+/// counted and summed up.
 class FindingLog {
  public:
   explicit FindingLog(int told_each) : told_each_(told_each) {}
   void add(Diagnostic finding);
-  /// Adds one line per kind of which not all were told.
+  /// Adds one line per kind of which not all were told, and starts counting anew.
   void summarise();
+  /// Forgets what was told and counted.
+  void restart() { kinds_.clear(); }
   Diagnostics take();
 
  private:
   struct Kind {
-    int count = 0;
+    int count = 0, told = 0;
+    double told_s = 0.0;  // when it was told last
     Diagnostic last;
   };
   int told_each_;

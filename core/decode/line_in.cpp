@@ -71,6 +71,7 @@ struct LineInDecoder::Impl {
   bool judged = false;
   std::int64_t judge_from = 0;  // start of the stretch to judge
   std::string told_failure;     // why the line cannot be used, as told last
+  Diagnostics standing;         // what the last judgement told
   StepScanner scanner;
   std::optional<StepScanner::Step> step;  // found, but its surroundings are not all there yet
   CycleTracker tracker;
@@ -174,6 +175,7 @@ bool LineInDecoder::Impl::judge(bool end) {
       const bool only_short = finding.code == "line-in.too-short" && (any_cycle || !told_failure.empty());
       if (finding.severity == Severity::kError && finding.code != told_failure && !only_short) {
         told_failure = finding.code;
+        standing = {finding};
         log.add(std::move(finding));
       }
     }
@@ -181,6 +183,7 @@ bool LineInDecoder::Impl::judge(bool end) {
     return true;
   }
   told_failure.clear();
+  standing = judgement.findings;
   for (Diagnostic& finding : judgement.findings) {
     log.add(std::move(finding));
   }
@@ -321,7 +324,19 @@ void LineInDecoder::finish() {
   impl_->end_hole();
   impl_->end_stretch();
   impl_->start_stretch(impl_->history.position());
-  impl_->decoder.finish();
+  sum_up_findings();
+}
+
+void LineInDecoder::restart_findings() {
+  impl_->log.restart();
+  impl_->decoder.restart_findings();
+  for (const Diagnostic& finding : impl_->standing) {
+    impl_->log.add(finding);
+  }
+}
+
+void LineInDecoder::sum_up_findings() {
+  impl_->decoder.sum_up_findings();
   impl_->log.summarise();
 }
 

@@ -82,8 +82,14 @@ class LineInDecoder {
   void push(std::span<const float> interleaved);
   /// Tells that `count` frames are missing here: the clock of the take goes on, sync is found again.
   void gap(SampleCount count);
-  /// No more samples: decodes what is still waiting.
+  /// No more samples: decodes what is still waiting, and sums findings up.
   void finish();
+
+  /// Starts telling anew, as for a recording that begins in mid-stream: what is still so (exchanged channels, a line
+  /// that cannot be used) is told again, and counts start from nothing. Decoding does not notice.
+  void restart_findings();
+  /// Tells what was only counted since then.
+  void sum_up_findings();
 
   /// Cycles decoded since the last call, in order of time.
   std::vector<LineInCycle> take_cycles();

@@ -197,12 +197,19 @@ void LineMonitor::judge_change(const Sample& before, const Sample& after) {
   }
 }
 
-void LineMonitor::finish() {
+void LineMonitor::restart() {
+  last_clip_s_ = last_counter_clip_s_ = last_click_s_ = -1e9;
+  clipped_slots_ = told_slots_ = clip_stretches_ = 0;
+  humming_ = false;
+}
+
+void LineMonitor::sum_up() {
   if (clipped_slots_ > told_slots_) {
     log_->add({Severity::kWarning, "line-in.clipped-total",
                fmt::format("{} slots reached full scale in all, in {} stretches", clipped_slots_, clip_stretches_),
                "Turn the input level down and record again", "", -1.0});
   }
+  clipped_slots_ = told_slots_ = clip_stretches_ = 0;
 }
 
 }  // namespace limbwave::decode

@@ -24,8 +24,10 @@ class LineMonitor {
   /// The hum that is taken out; and RMS by which the reference level is then still off its prediction, and what of it
   /// noise explains, fractions of full scale.
   void watch_hum(const LineInCycle& cycle, const HumTracker& hum, double unrest, double explained, double swing);
-  /// Sums up what was clipped.
-  void finish();
+  /// Sums up what was clipped, and counts anew.
+  void sum_up();
+  /// Tells again what is still going on, and counts anew.
+  void restart();
 
  private:
   using Volts = std::array<double, kMaxSlots>;

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
+
 namespace limbwave::estimate {
 
 using Eigen::Quaterniond;
@@ -36,9 +38,13 @@ struct Inclination {
   bool known = false;                 ///< False before the first usable reading: up_L is then meaningless.
 };
 
+/// Smoothing is never shorter than this, seconds: without any, use Smoothing::kNone.
+inline constexpr double kLeastSmoothing_s = 0.001;
+
 /// Constants of the estimators, from the physics of limbs and sensors.
 struct InclinationParameters {
-  /// Time scale of smoothing, seconds; longer is smoother, but less is bridged right at fast turns.
+  /// Time scale of smoothing, seconds, at least kLeastSmoothing_s; longer is smoother, but less is bridged right at
+  /// fast turns.
   double smoothing_s = 0.08;
   /// | |f| − g | that gravity alone explains, m/s² (0.01 g: calibration errors, slow turning about a joint).
   double free_deviation = 0.098;
@@ -67,8 +73,10 @@ Quaterniond orientation(const Vector3d& up_L, double heading = 0.0,
 std::vector<Quaterniond> orientations(std::span<const Inclination> inclinations, std::span<const double> headings = {});
 
 /// Inclination of every sample of a whole series, any method; forward and backward in time, so without lag.
-/// Times must increase; samples that do not are copies of their predecessor's result.
+/// Times must increase; samples that do not are copies of their predecessor's result. `progress` is asked every minute
+/// of samples or so; the result is empty when it says to stop.
 std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samples, Smoothing smoothing,
-                                               const InclinationParameters& parameters = {});
+                                               const InclinationParameters& parameters = {},
+                                               const Progress& progress = {});
 
 }  // namespace limbwave::estimate

@@ -101,7 +101,8 @@ void symmetrise(Matrix& P) {
   P = 0.5 * (P + P.transpose()).eval();
 }
 
-// A tilt (t_x, t_y) is a rotation by t about (0, 0, 1) × t: the up direction of N moves by −t.
+// A tilt t = (t_x, t_y, 0) is put in by the rotation vector t × (0, 0, 1) = (t_y, −t_x, 0): the up direction of N moves
+// by −t.
 Quaterniond tilted(const Quaterniond& R_NL, const Vector2d& tilt) {
   return (geometry::exp_so3({tilt.y(), -tilt.x(), 0.0}) * R_NL).normalized();
 }
@@ -161,7 +162,8 @@ void InclinationFilter::predict(const AccelerationStep& step, double acceleratio
 
   const double lever_rate = acceleration_sd / lever_;
   // Smoothing over longer times means slower turning: the density goes with the third power of time.
-  const double slower = std::pow(InclinationParameters{}.smoothing_s / parameters_.smoothing_s, 3);
+  const double smoothing = std::max(kLeastSmoothing_s, parameters_.smoothing_s);
+  const double slower = std::pow(InclinationParameters{}.smoothing_s / smoothing, 3);
   const double q = slower * kAngularAccelerationTime *
                    (kCalmAngularAcceleration * kCalmAngularAcceleration + lever_rate * lever_rate);
   const double a = std::max(acceleration_sd, kLeastAcceleration);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/units.h"
 #include "estimate/adaptive_filter.h"
@@ -16,6 +17,7 @@ namespace {
 // reaches; a whole hour would take gigabytes.
 constexpr std::size_t kChunk = 4096;
 constexpr std::size_t kAhead = 600;
+constexpr std::string_view kStage = "estimating";
 
 // What is known of the limb's acceleration at every sample, looking to both sides.
 struct Surroundings {
@@ -70,7 +72,8 @@ struct Pass {
 };
 
 Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& around,
-                   std::span<const AccelerationStep> steps, double lever, const InclinationParameters& parameters) {
+                   std::span<const AccelerationStep> steps, double lever, const InclinationParameters& parameters,
+                   const Progress& progress) {
   Pass pass;
   pass.inclinations.resize(samples.size());
   pass.log_likelihoods.resize(samples.size());
@@ -87,6 +90,9 @@ Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& aro
     first += count;
   };
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i % kChunk == 0 && !progress.report(static_cast<double>(i) / static_cast<double>(samples.size()), kStage)) {
+      return {};
+    }
     filter.step(samples[i], steps[i], around.acceleration_sd[i], around.noise[i]);
     pass.log_likelihoods[i] = filter.log_likelihood();
     if (!filter.started()) {
@@ -103,7 +109,8 @@ Pass bridging_pass(std::span<const ForceSample> samples, const Surroundings& aro
   return pass;
 }
 
-std::vector<Inclination> bridging(std::span<const ForceSample> samples, const InclinationParameters& parameters) {
+std::vector<Inclination> bridging(std::span<const ForceSample> samples, const InclinationParameters& parameters,
+                                  const Progress& progress) {
   const Surroundings around = surroundings_of(samples, parameters);
   std::vector<Pass> passes;
   passes.reserve(kLevers.size());
@@ -113,7 +120,13 @@ std::vector<Inclination> bridging(std::span<const ForceSample> samples, const In
     steps.push_back(acceleration_step(i == 0 ? 0.0 : samples[i].time_s - samples[i - 1].time_s));
   }
   for (const double lever : kLevers) {
-    passes.push_back(bridging_pass(samples, around, steps, lever, parameters));
+    const double share = 1.0 / static_cast<double>(kLevers.size());
+    const double done = share * static_cast<double>(passes.size());
+    passes.push_back(
+        bridging_pass(samples, around, steps, lever, parameters, progress.part(done, std::min(1.0, done + share))));
+    if (passes.back().inclinations.empty()) {
+      return {};
+    }
   }
   const auto logs_at = [&](std::size_t i) {
     Logs logs{};
@@ -147,7 +160,7 @@ std::vector<Inclination> bridging(std::span<const ForceSample> samples, const In
 }  // namespace
 
 std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samples, Smoothing smoothing,
-                                               const InclinationParameters& parameters) {
+                                               const InclinationParameters& parameters, const Progress& progress) {
   // Only samples that go on in time are estimated; the others repeat what was there.
   std::vector<ForceSample> ordered;
   std::vector<std::size_t> place;
@@ -163,6 +176,9 @@ std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samp
     result.resize(samples.size());
     return result;
   }
+  if (!progress.report(0.0, kStage)) {
+    return result;
+  }
   switch (smoothing) {
     case Smoothing::kNone: {
       const Surroundings around = surroundings_of(ordered, parameters);
@@ -176,8 +192,11 @@ std::vector<Inclination> estimate_inclinations(std::span<const ForceSample> samp
       result = adaptive(ordered, parameters);
       break;
     case Smoothing::kBridging:
-      result = bridging(ordered, parameters);
+      result = bridging(ordered, parameters, progress);
       break;
+  }
+  if (result.empty()) {
+    return result;  // told to stop
   }
   if (ordered.size() == samples.size()) {
     return result;

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json_reader.h"
 #include "base/units.h"
+#include "body/json_geometry.h"
 
 namespace limbwave::simulate {
 namespace {
@@ -159,15 +160,7 @@ Result<LineInErrors> load_errors(const std::string& name_or_path) {
 }
 
 std::vector<std::string> shipped_errors() {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(resources_folder() / "errors", ignored)) {
-    if (entry.path().extension() == ".json") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+  return body::shipped_names("errors");
 }
 
 nlohmann::json errors_to_json(const LineInErrors& errors) {

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "base/folder.h"
 #include "geometry/so3.h"
 #include "simulate/jets.h"
 
@@ -330,14 +331,17 @@ Result<std::vector<ForceLog>> read_force_logs(const std::string& source, int sen
   std::vector<fs::path> files;
   std::error_code ignored;
   if (fs::is_directory(source, ignored)) {
-    for (const auto& entry : fs::directory_iterator(source, ignored)) {
-      const std::string name = entry.path().filename().string();
+    const Result<std::vector<fs::path>> entries = list_folder(source);
+    if (!entries) {
+      return entries.error();
+    }
+    for (const fs::path& entry : *entries) {
+      const std::string name = entry.filename().string();
       if (name.ends_with(".csv") || name.ends_with(".csv.gz") ||
           (name.ends_with(".txt") && !name.starts_with("LICENSE") && !name.starts_with("README"))) {
-        files.push_back(entry.path());
+        files.push_back(entry);
       }
     }
-    std::sort(files.begin(), files.end());
     if (files.empty()) {
       return Error{"holds no .csv, .csv.gz or .txt logs", source, "name the folder with the logs"};
     }

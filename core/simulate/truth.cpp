@@ -7,6 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+
 namespace limbwave::simulate {
 namespace {
 
@@ -47,7 +49,7 @@ class TextFile {
 };
 
 std::string text(const std::string& value) {
-  return nlohmann::json(value).dump();
+  return json_text(value);
 }
 
 const char* comma(bool first) {
@@ -130,7 +132,8 @@ Status write_truth(const std::filesystem::path& path, const Simulation& simulati
   }
   nlohmann::json errors = errors_to_json(settings.errors);
   errors["name"] = settings.errors_name;
-  file.add("]}},\n\"motion\":{},\"seed\":{},\n\"errors\":{}}}\n", text(settings.motion), settings.seed, errors.dump());
+  file.add("]}},\n\"motion\":{},\"seed\":{},\n\"errors\":{}}}\n", text(settings.motion), settings.seed,
+           json_text(errors));
   if (!file.close()) {
     return Error{"cannot be written", path.string(), "check the space on the disk"};
   }

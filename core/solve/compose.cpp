@@ -1,7 +1,10 @@
 #include "solve/compose.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace limbwave::solve {
 namespace {
@@ -78,6 +81,19 @@ motion::Clip compose_clip(const body::Skeleton& skeleton, const std::vector<doub
   }
   set_tracks(clip, times, R_WL);
   return clip;
+}
+
+Result<std::vector<Quaterniond>> limb_orientations(std::span<const estimate::Inclination> inclinations,
+                                                   const std::string& sensor) {
+  const auto broken =
+      std::find_if(inclinations.begin(), inclinations.end(), [](const estimate::Inclination& inclination) {
+        return !inclination.up_L.allFinite() || !std::isfinite(inclination.trust);
+      });
+  if (broken != inclinations.end()) {
+    return Error{fmt::format("the inclination at {:.2f} s is not a number", broken->time_s), sensor,
+                 "solve with another smoothing, and report this with the take"};
+  }
+  return estimate::orientations(inclinations);
 }
 
 std::vector<int> sensor_segments(const body::Rig& rig, const body::Skeleton& skeleton) {

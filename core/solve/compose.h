@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "motion/clip.h"
@@ -17,6 +19,11 @@ double heading_at(const std::vector<HeadingKey>& keys, double time_s);
 motion::Clip compose_clip(const body::Skeleton& skeleton, const std::vector<double>& times,
                           const std::vector<std::vector<Eigen::Quaterniond>>& inclinations,
                           const std::vector<std::vector<HeadingKey>>& headings, double frame_rate_hz);
+
+/// Rotations of one limb, without headings (estimate::orientations). Fails when one of its inclinations is not a
+/// number: as a rotation that would be a limb at rest, and nobody would notice.
+Result<std::vector<Eigen::Quaterniond>> limb_orientations(std::span<const estimate::Inclination> inclinations,
+                                                          const std::string& sensor);
 
 /// Which segment each accelerometer of the rig is worn on: index into the skeleton.
 std::vector<int> sensor_segments(const body::Rig& rig, const body::Skeleton& skeleton);

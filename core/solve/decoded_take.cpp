@@ -45,6 +45,9 @@ Result<DecodedTake> decode_take(const take::Take& take, const decode::LineInPara
     return Error{fmt::format("has {} channels, but the line-in path needs two", take.info.format.channels),
                  take.folder.string(), "record in stereo"};
   }
+  if (const Status status = check_rate(take.info.rig.line_in, take.info.format.rate); !status) {
+    return Error{status.error().message, take.folder.string(), status.error().remedy};
+  }
   Result<take::TakeReader> reader = take::TakeReader::open(take);
   if (!reader) {
     return reader.error();

@@ -1,5 +1,7 @@
 #include "solve/front_end.h"
 
+#include <fmt/format.h>
+
 #include <iterator>
 
 namespace limbwave::solve {
@@ -14,6 +16,18 @@ decode::LineInFormat line_in_format(const body::LineInSignal& signal) {
   format.zero_g_volts = signal.zero_g_volts;
   format.volts_per_g = signal.volts_per_g;
   return format;
+}
+
+Status check_rate(const body::LineInSignal& signal, SampleRate rate) {
+  constexpr double kLeastSamples = 4.0;  // one that settles, two to average, one that rings before the next slot
+  const double slots_hz = signal.cycle_rate_hz * (1.0 + signal.cycle_rate_tolerance) * signal.slots;
+  const double samples = rate.hz / slots_hz;
+  if (samples < kLeastSamples) {
+    return Error{
+        fmt::format("a slot of the board lasts only {:.1f} samples at {:.0f} samples a second", samples, rate.hz), "",
+        fmt::format("record at {:.0f} at least, or correct the rig's cycle rate", kLeastSamples * slots_hz)};
+  }
+  return {};
 }
 
 bool saturated(const body::LineInSignal& signal, const Eigen::Vector3d& volts) {

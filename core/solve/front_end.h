@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/result.h"
 #include "body/rig.h"
 #include "decode/line_in.h"
 #include "decode/slot_alignment.h"
@@ -14,6 +15,9 @@ namespace limbwave::solve {
 
 /// The decoder's view of the board that the rig file describes.
 decode::LineInFormat line_in_format(const body::LineInSignal& signal);
+
+/// Fails when a slot of this board lasts too few samples at `rate` for a settled value to be read from it.
+Status check_rate(const body::LineInSignal& signal, SampleRate rate);
 
 /// True where an axis reads the end of the sensor's range, by the data sheet: the true force may be anything beyond.
 bool saturated(const body::LineInSignal& signal, const Eigen::Vector3d& volts);

@@ -22,6 +22,17 @@ decode::Polarity polarity_from(const JsonReader& reader) {
   return decode::Polarity::kAuto;
 }
 
+Smoothing smoothing_from(const JsonReader& reader) {
+  const std::string text = reader.string();
+  for (const Smoothing smoothing : {Smoothing::kNone, Smoothing::kAdaptive, Smoothing::kBridging}) {
+    if (text == name(smoothing)) {
+      return smoothing;
+    }
+  }
+  reader.fail("is \"" + text + "\"", "use none, adaptive or bridging");
+  return Smoothing::kAdaptive;
+}
+
 std::vector<std::vector<HeadingKey>> headings_from(const JsonReader& reader) {
   std::vector<std::vector<HeadingKey>> headings;
   for (const JsonReader& segment : reader.items()) {
@@ -65,8 +76,10 @@ std::vector<std::string> report_lines(const Solve& solve) {
       report.line.coupling_sd_hz, 20.0 * std::log10(std::max(report.line.noise, 1e-12)), report.line.cycles,
       report.line.lost_cycles));
   for (const SensorQuality& sensor : report.sensors) {
-    lines.push_back(fmt::format("{:<12} usable {:5.1f} %, gravity explains {:5.1f} %, {:.3f} g at rest", sensor.sensor,
-                                100.0 * sensor.usable, 100.0 * sensor.trusted, sensor.mean_norm_g));
+    lines.push_back(fmt::format(
+        "{:<12} usable {:5.1f} %, gravity explains {:5.1f} %, {}", sensor.sensor, 100.0 * sensor.usable,
+        100.0 * sensor.trusted,
+        sensor.mean_norm_g > 0.0 ? fmt::format("{:.3f} g at rest", sensor.mean_norm_g) : std::string("never at rest")));
   }
   return lines;
 }
@@ -182,11 +195,10 @@ Result<SolveSettings> settings_from_json(const nlohmann::json& json, const std::
   reader.allow({"schema", "method", "smoothing", "smoothing_s", "calibration", "line_in", "headings_s_rad"});
   reader.at("schema").integer(1, 1);
   SolveSettings settings;
-  const std::string smoothing = reader.string_or("smoothing", "bridging");
-  settings.smoothing = smoothing == "none"       ? Smoothing::kNone
-                       : smoothing == "adaptive" ? Smoothing::kAdaptive
-                                                 : Smoothing::kBridging;
-  settings.smoothing_s = reader.number_or("smoothing_s", settings.smoothing_s, 0.0, 10.0);
+  if (reader.has("smoothing")) {
+    settings.smoothing = smoothing_from(reader.at("smoothing"));
+  }
+  settings.smoothing_s = reader.number_or("smoothing_s", settings.smoothing_s, estimate::kLeastSmoothing_s, 10.0);
   settings.calibration = reader.string_or("calibration", "auto");
   if (reader.has("line_in")) {
     const JsonReader line = reader.at("line_in");

@@ -16,12 +16,15 @@ enum class HealthState { kUnknown, kGood, kWarning, kBad };
 /// Colour and words.
 struct SensorHealth {
   HealthState state = HealthState::kUnknown;
-  std::string code;  ///< "good", "no-signal", "unusable", "stuck", "not-plausible", "saturated", "no-calibration" ...
+  /// "good", "no-signal", "unusable", "not-plausible", "saturated", "gaps" or "no-calibration".
+  std::string code;
   std::string text;  ///< What it is and what to do.
 };
 
-/// Judges accelerometer `sensor` by the newest second of `frames`. Readings are compared with what the rig's data sheet
-/// and the calibration allow: out of range, frozen, or resting at another length than 1 g.
+/// Judges accelerometer `sensor` by the newest second of `frames`, by what the rig's data sheet and the calibration
+/// allow: lost readings, an input that nothing drives (all axes at the ground, at the supply or half-way), values out
+/// of range, resting at another length than 1 g. A chip that holds one plausible value cannot be told from one at rest;
+/// that shows when it is turned, in the range calibration.
 SensorHealth sensor_health(const body::Rig& rig, const calibrate::SensorCalibration& calibration, int sensor,
                            std::span<const decode::AccelerationFrame> frames);
 

@@ -70,10 +70,7 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
     return decoded.error();
   }
   const auto start = std::chrono::steady_clock::now();
-  if (!progress.report(0.6, "calibrating")) {
-    return cancelled();
-  }
-  Result<ChosenCalibration> chosen = choose_calibration(take, *decoded, settings.calibration);
+  Result<ChosenCalibration> chosen = choose_calibration(take, *decoded, settings.calibration, progress.part(0.6, 0.65));
   if (!chosen) {
     return chosen.error();
   }
@@ -104,23 +101,34 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
   std::vector<std::vector<Eigen::Quaterniond>> inclined(skeleton.segments.size());
   estimate::InclinationParameters parameters;
   parameters.smoothing_s = settings.smoothing_s;
+  const double share = 0.3 / static_cast<double>(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    if (!progress.report(0.65 + 0.3 * static_cast<double>(s) / static_cast<double>(segments.size()), "estimating")) {
-      return cancelled();
-    }
+    std::vector<float>& trust = solve.trust.emplace_back();
+    const body::Accelerometer& accelerometer = take.info.rig.accelerometers[s];
     if (segments[s] < 0) {
+      solve.report.diagnostics.push_back(
+          {Severity::kWarning, "solve.no-segment",
+           fmt::format("sits on \"{}\", which is no segment of the skeleton, and is left out", accelerometer.segment),
+           "correct the rig in take.json", accelerometer.name, -1.0});
       continue;
     }
     const std::vector<estimate::ForceSample> samples =
         limb_forces(frames, s, take.info.rig.line_in, chosen->calibration);
-    const std::vector<estimate::Inclination> inclinations =
-        estimate::estimate_inclinations(samples, settings.smoothing, parameters);
-    inclined[static_cast<std::size_t>(segments[s])] = estimate::orientations(inclinations);
-    std::vector<float>& trust = solve.trust.emplace_back();
+    const std::vector<estimate::Inclination> inclinations = estimate::estimate_inclinations(
+        samples, settings.smoothing, parameters,
+        progress.part(0.65 + share * static_cast<double>(s), 0.65 + share * static_cast<double>(s + 1)));
+    if (inclinations.size() != samples.size()) {
+      return cancelled();
+    }
+    Result<std::vector<Eigen::Quaterniond>> orientations = limb_orientations(inclinations, accelerometer.name);
+    if (!orientations) {
+      return orientations.error();
+    }
+    inclined[static_cast<std::size_t>(segments[s])] = *std::move(orientations);
     for (const estimate::Inclination& inclination : inclinations) {
       trust.push_back(static_cast<float>(inclination.trust));
     }
-    solve.report.sensors.push_back(quality(take.info.rig.accelerometers[s].name, samples, inclinations));
+    solve.report.sensors.push_back(quality(accelerometer.name, samples, inclinations));
   }
   solve.clip =
       compose_clip(skeleton, times, inclined, settings.headings, std::round(decoded->line.cycle_rate_hz * 1e3) / 1e3);

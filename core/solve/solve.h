@@ -30,8 +30,9 @@ struct SolveSettings {
   double smoothing_s = 0.08;                      ///< Time scale; longer is smoother.
   std::vector<std::vector<HeadingKey>> headings;  ///< One list per segment; may be empty.
   decode::LineInParameters line_in;
-  /// "auto": the first that there is of "snapshot" (in the take), "segments" (the take's own calibration segments),
-  /// "library" (the user's) and "nominal" (data sheet); or one of these by name.
+  /// "auto": the take's snapshot, completed from its own calibration segments where a part of it was never measured;
+  /// the source is then "segments". Else the user's library, else the data sheet. Or one source by name: "snapshot" (in
+  /// the take), "segments" (alone), "library" or "nominal" (data sheet).
   std::string calibration = "auto";
 };
 
@@ -39,7 +40,7 @@ struct SensorQuality {
   std::string sensor;
   double usable = 0.0;       ///< Fraction of frames.
   double trusted = 0.0;      ///< Fraction of frames whose | |f| − g | is small.
-  double mean_norm_g = 0.0;  ///< Over still stretches; 1 when calibrated.
+  double mean_norm_g = 0.0;  ///< Over still stretches; 1 when calibrated, 0 when it never was at rest.
 };
 
 struct QualityReport {
@@ -53,15 +54,17 @@ struct QualityReport {
 struct Solve {
   SolveSettings settings;
   motion::Clip clip;
-  /// Per accelerometer and frame of the clip: 0..1, how far gravity alone explains the reading.
+  /// Per accelerometer and frame of the clip: 0..1, how far gravity alone explains the reading. Empty for one that sits
+  /// on no segment of the skeleton.
   std::vector<std::vector<float>> trust;
   QualityReport report;
 };
 
 Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, const Progress& progress);
 
-/// Stores under TAKE/solves/NAME/, all-or-nothing; reads it back.
+/// Stores under TAKE/solves/NAME/: killed at any instant, the old solve of that name or the new one is there.
 Status save_solve(const take::Take& take, const Solve& solve);
+/// Reads it back. Fails when another program has left the clip's joints with keys at different times.
 Result<Solve> load_solve(const take::Take& take, const std::string& name);
 /// The settings of a stored solve alone, with the user's heading keys: they may be whole where the clip is not.
 Result<SolveSettings> load_solve_settings(const take::Take& take, const std::string& name);

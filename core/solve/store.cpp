@@ -1,9 +1,15 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/folder.h"
 #include "base/json_reader.h"
+#include "base/json_text.h"
 #include "interchange/gltf_clip.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
@@ -13,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kOld = ".old";
 constexpr const char* kDamaged = ".damaged-";
 
 Status check_name(const std::string& name) {
@@ -58,12 +65,58 @@ Status write_parts(const fs::path& folder, const Solve& solve) {
   if (Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
     return status;
   }
-  if (Status status = write_file(folder / "settings.json", settings_to_json(solve.settings).dump(2) + "\n"); !status) {
+  if (Status status = write_file(folder / "settings.json", json_text(settings_to_json(solve.settings), 2) + "\n");
+      !status) {
     return status;
   }
   nlohmann::json quality = report_to_json(solve);
   quality["trust_percent"] = trust_to_json(solve.trust);
-  return write_file(folder / "quality.json", quality.dump() + "\n");
+  return write_file(folder / "quality.json", json_text(quality) + "\n");
+}
+
+// Where file systems that cannot exchange names keep the old solve for a moment.
+fs::path old_folder(const fs::path& solves, const std::string& name) {
+  return solves / ("." + name + std::string(kOld));
+}
+
+// Where a solve is: under its name, or aside when saving was killed between two renames.
+fs::path folder_of(const fs::path& solves, const std::string& name) {
+  std::error_code code;
+  return fs::is_directory(solves / name, code) ? solves / name : old_folder(solves, name);
+}
+
+// `part` gets the name `target`. What had it is in `part` or gone afterwards.
+Status put_in_place(const fs::path& part, const fs::path& target, const fs::path& old) {
+  std::error_code code;
+  const bool replaces = fs::exists(target, code);
+  if (replaces && ::renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) {
+    return {};
+  }
+  if (replaces) {
+    fs::remove_all(old, code);
+    fs::rename(target, old, code);
+  }
+  if (!code) {
+    fs::rename(part, target, code);
+  }
+  std::error_code ignored;
+  if (code) {
+    if (replaces && !fs::exists(target, ignored)) {
+      fs::rename(old, target, ignored);
+    }
+    return Error{"cannot be written (" + code.message() + ")", target.string(),
+                 "check that you may write into the take"};
+  }
+  fs::remove_all(old, ignored);
+  return {};
+}
+
+// Everything that edits a solve relies on one time axis.
+bool has_one_time_axis(const motion::Clip& clip) {
+  return std::all_of(clip.joints.begin(), clip.joints.end(), [&](const motion::JointTracks& joint) {
+    return joint.rotation.times == clip.joints.front().rotation.times &&
+           joint.rotation.values.size() == joint.rotation.times.size();
+  });
 }
 
 }  // namespace
@@ -75,38 +128,29 @@ Status save_solve(const take::Take& take, const Solve& solve) {
   const fs::path solves = take.folder / "solves";
   const fs::path target = solves / solve.settings.name;
   const fs::path part = solves / ("." + solve.settings.name + ".part");
-  const fs::path old = solves / ("." + solve.settings.name + ".old");
+  const fs::path old = old_folder(solves, solve.settings.name);
   std::error_code code;
+  if (!fs::exists(target, code) && fs::exists(old, code)) {
+    fs::rename(old, target, code);  // saving was killed between two renames: until there is a new one, this counts
+  }
   fs::remove_all(part, code);
-  fs::remove_all(old, code);
   fs::create_directories(part, code);
   if (code) {
     return Error{"cannot be made (" + code.message() + ")", part.string(), "check that you may write into the take"};
   }
-  if (Status status = write_parts(part, solve); !status) {
-    fs::remove_all(part, code);
-    return status;
+  Status status = write_parts(part, solve);
+  if (status) {
+    status = put_in_place(part, target, old);
   }
-  if (fs::exists(target, code)) {
-    fs::rename(target, old, code);
-  }
-  fs::rename(part, target, code);
-  if (code) {
-    std::error_code ignored;
-    fs::rename(old, target, ignored);
-    fs::remove_all(part, ignored);
-    return Error{"cannot be written (" + code.message() + ")", target.string(),
-                 "check that you may write into the take"};
-  }
-  fs::remove_all(old, code);
-  return {};
+  fs::remove_all(part, code);  // what was written in vain, or what the new one has replaced
+  return status;
 }
 
 Result<SolveSettings> load_solve_settings(const take::Take& take, const std::string& name) {
   if (Status status = check_name(name); !status) {
     return status.error();
   }
-  const fs::path file = take.folder / "solves" / name / "settings.json";
+  const fs::path file = folder_of(take.folder / "solves", name) / "settings.json";
   const Result<nlohmann::json> json = load_json(file);
   if (!json) {
     return json.error();
@@ -128,7 +172,7 @@ Result<fs::path> set_solve_aside(const take::Take& take, const std::string& name
   for (int number = 1; aside.empty() || fs::exists(aside, code); ++number) {
     aside = solves / (name + kDamaged + std::to_string(number));
   }
-  fs::rename(solves / name, aside, code);
+  fs::rename(folder_of(solves, name), aside, code);
   if (code) {
     return Error{"cannot be set aside (" + code.message() + ")", (solves / name).string(),
                  "check that you may write into the take"};
@@ -140,7 +184,7 @@ Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   if (Status status = check_name(name); !status) {
     return status.error();
   }
-  const fs::path folder = take.folder / "solves" / name;
+  const fs::path folder = folder_of(take.folder / "solves", name);
   std::error_code code;
   if (!fs::is_directory(folder, code)) {
     return Error{"has no solve \"" + name + "\"", take.folder.string(), "solve it first: limbwave solve TAKE"};
@@ -157,6 +201,10 @@ Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   if (!clip) {
     return clip.error();
   }
+  if (!has_one_time_axis(*clip)) {
+    return Error{"was changed by another program: its joints have keys at different times",
+                 (folder / "clip.glb").string(), "solve the take again, or import the changed clip elsewhere"};
+  }
   const Result<nlohmann::json> quality = load_json(folder / "quality.json");
   if (!quality) {
     return quality.error();
@@ -165,22 +213,36 @@ Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   solve.settings = std::move(*settings);
   solve.settings.name = name;
   solve.clip = std::move(*clip);
+  bool damaged = false;
   try {
     solve.report = report_from_json(*quality);
     solve.trust = trust_from_json(quality->value("trust_percent", nlohmann::json::array()));
   } catch (const nlohmann::json::exception&) {
+    damaged = true;
+  }
+  const std::size_t frames = solve.clip.joints.empty() ? 0 : solve.clip.joints.front().rotation.times.size();
+  damaged = damaged || std::any_of(solve.trust.begin(), solve.trust.end(), [&](const std::vector<float>& sensor) {
+              return !sensor.empty() && sensor.size() != frames;
+            });
+  if (damaged) {
     return Error{"is damaged", (folder / "quality.json").string(), "solve the take again"};
   }
   return solve;
 }
 
 std::vector<std::string> list_solves(const take::Take& take) {
+  const fs::path solves = take.folder / "solves";
   std::vector<std::string> names;
   std::error_code code;
-  for (const auto& entry : fs::directory_iterator(take.folder / "solves", code)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_directory(code) && !name.starts_with('.') && name.find(kDamaged) == std::string::npos) {
+  for (const fs::path& entry : entries_of(solves)) {
+    const std::string name = entry.filename().string();
+    if (!fs::is_directory(entry, code)) {
+      continue;
+    }
+    if (!name.starts_with('.') && name.find(kDamaged) == std::string::npos) {
       names.push_back(name);
+    } else if (name.starts_with('.') && name.ends_with(kOld) && !fs::exists(solves / name.substr(1, name.size() - 1 - kOld.size()), code)) {
+      names.push_back(name.substr(1, name.size() - 1 - kOld.size()));
     }
   }
   std::sort(names.begin(), names.end());

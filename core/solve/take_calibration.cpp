@@ -14,6 +14,7 @@ namespace limbwave::solve {
 namespace {
 
 constexpr const char* kNominal = "nominal";
+constexpr const char* kStage = "calibrating";
 
 const take::TakeSegment* find_segment(const take::Take& take, const std::string& name) {
   const auto found = std::find_if(take.info.segments.begin(), take.info.segments.end(),
@@ -40,14 +41,29 @@ std::vector<int> nominal_mounts(const calibrate::RigCalibration& calibration, co
   return sensors;
 }
 
+constexpr const char* kTurnAgain = "turn this sensor slowly about all axes again: limbwave calibrate range";
+constexpr const char* kHoldAgain = "hold the poses again, still and exact: limbwave calibrate limb";
+
+// A result that its own procedure would not keep is better than none, but not without a word.
+Diagnostic poor(const char* code, const char* procedure, const std::string& verdict, const std::string& sensor,
+                const char* remedy) {
+  return {Severity::kWarning,
+          code,
+          fmt::format("the take's own {} calibration is poor: {}", procedure, verdict),
+          remedy,
+          sensor,
+          -1.0};
+}
+
 void add(Diagnostics& to, const Diagnostics& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
 // What `base` has only from the data sheet, from the take's own "range" and "pose:..." segments; empty when they give
-// nothing.
-std::optional<ChosenCalibration> from_segments(const take::Take& take, const DecodedTake& decoded,
-                                               const calibrate::RigCalibration& base) {
+// nothing. Fails when it is told to stop.
+Result<std::optional<ChosenCalibration>> from_segments(const take::Take& take, const DecodedTake& decoded,
+                                                       const calibrate::RigCalibration& base,
+                                                       const Progress& progress) {
   const body::Rig& rig = take.info.rig;
   ChosenCalibration chosen{base, "segments", "", {}};
   int ranges = 0;
@@ -55,7 +71,8 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
   double worst_residual = 0.0;
   double worst_angle = 0.0;
   if (const take::TakeSegment* range = find_segment(take, kRangeSegment)) {
-    for (RangeOutcome& outcome : calibrate_range(take, decoded.of(take, *range), nominal_sensors(base))) {
+    for (RangeOutcome& outcome :
+         calibrate_range(take, decoded.of(take, *range), nominal_sensors(base), progress.part(0.0, 0.8))) {
       const auto s = static_cast<std::size_t>(outcome.sensor);
       if (!outcome.result) {
         const Error& error = outcome.result.error();
@@ -65,12 +82,19 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
         continue;
       }
       add(chosen.diagnostics, outcome.result->diagnostics);
+      if (outcome.result->verdict == calibrate::Verdict::kRepeat) {
+        chosen.diagnostics.push_back(
+            poor("calibration.range-poor", "range", outcome.result->text, rig.accelerometers[s].name, kTurnAgain));
+      }
       chosen.calibration.sensors[s] = outcome.result->calibration;
       worst_residual = std::max(worst_residual, outcome.result->calibration.residual_g);
       ++ranges;
     }
   }
   for (std::size_t g = 0; g < rig.groups.size(); ++g) {
+    if (!progress.report(0.8 + 0.2 * static_cast<double>(g) / static_cast<double>(rig.groups.size()), kStage)) {
+      return cancelled();
+    }
     const take::TakeSegment* first = find_segment(take, pose_segment(rig.groups[g], 0));
     const take::TakeSegment* second = find_segment(take, pose_segment(rig.groups[g], 1));
     const std::vector<int> sensors = nominal_mounts(base, rig.groups[g]);
@@ -87,20 +111,28 @@ std::optional<ChosenCalibration> from_segments(const take::Take& take, const Dec
     }
     add(chosen.diagnostics, limb->diagnostics);
     for (const calibrate::SensorLimbResult& sensor : limb->sensors) {
-      chosen.calibration.mounts[static_cast<std::size_t>(sensor.sensor)] = sensor.mount;
+      const auto s = static_cast<std::size_t>(sensor.sensor);
+      if (sensor.verdict == calibrate::Verdict::kRepeat) {
+        chosen.diagnostics.push_back(
+            poor("calibration.limb-poor", "limb", sensor.text, rig.accelerometers[s].name, kHoldAgain));
+      }
+      if (sensor.mount.method == kNominal) {
+        continue;  // the poses gave no mounting
+      }
+      chosen.calibration.mounts[s] = sensor.mount;
       worst_angle = std::max(worst_angle, std::abs(sensor.angle_error_deg));
       ++mounts;
     }
   }
   if (ranges + mounts == 0) {
-    return std::nullopt;
+    return std::optional<ChosenCalibration>();
   }
   chosen.explanation = fmt::format(
       "from the take's own calibration: range of {} of {} sensors (residual at most {:.4f} g), mounting of {} (poses "
       "at "
       "most {:.1f}° from perpendicular)",
       ranges, rig.accelerometers.size(), worst_residual, mounts, worst_angle);
-  return chosen;
+  return std::optional(std::move(chosen));
 }
 
 // Takes over what `to` knows from the data sheet alone and `from` does not; returns how many entries that were.
@@ -181,9 +213,12 @@ bool is_measured(const calibrate::RigCalibration& calibration) {
 }
 
 std::vector<RangeOutcome> calibrate_range(const take::Take& take, std::span<const decode::AccelerationFrame> frames,
-                                          const std::vector<int>& sensors) {
+                                          const std::vector<int>& sensors, const Progress& progress) {
   std::vector<RangeOutcome> outcomes;
   for (const int sensor : sensors) {
+    if (!progress.report(static_cast<double>(outcomes.size()) / static_cast<double>(sensors.size()), kStage)) {
+      break;
+    }
     const std::string& serial = take.info.rig.accelerometers.at(static_cast<std::size_t>(sensor)).serial;
     calibrate::RangeCalibrator calibrator(take.info.rig.line_in, serial);
     calibrator.push(calibrate::sensor_series(frames, sensor));
@@ -203,7 +238,10 @@ Result<calibrate::LimbResult> calibrate_limb(const take::Take& take, int group,
 }
 
 Result<ChosenCalibration> choose_calibration(const take::Take& take, const DecodedTake& decoded,
-                                             const std::string& wanted) {
+                                             const std::string& wanted, const Progress& progress) {
+  if (!progress.report(0.0, kStage)) {
+    return cancelled();
+  }
   const bool automatic = wanted == "auto";
   const body::Rig& rig = take.info.rig;
   const bool has_snapshot = take.info.calibration && is_measured(*take.info.calibration);
@@ -234,8 +272,12 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
     return chosen;
   };
   if (automatic || wanted == "segments") {
-    if (std::optional<ChosenCalibration> chosen = from_segments(take, decoded, base)) {
-      return completed(*std::move(chosen));
+    Result<std::optional<ChosenCalibration>> chosen = from_segments(take, decoded, base, progress);
+    if (!chosen) {
+      return chosen.error();
+    }
+    if (*chosen) {
+      return completed(**std::move(chosen));
     }
     if (!automatic) {
       return Error{"has no calibration segments", take.folder.string(), "choose another --calibration"};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/result.h"
 #include "calibrate/calibration.h"
 #include "calibrate/limb_calibration.h"
@@ -23,9 +24,10 @@ struct RangeOutcome {
   Result<calibrate::RangeResult> result;
 };
 
-/// Range calibration of all sensors from a stretch in which each is turned slowly about all axes.
+/// Range calibration of all sensors from a stretch in which each is turned slowly about all axes. Told to stop, it
+/// returns what it has.
 std::vector<RangeOutcome> calibrate_range(const take::Take& take, std::span<const decode::AccelerationFrame> frames,
-                                          const std::vector<int>& sensors);
+                                          const std::vector<int>& sensors, const Progress& progress = {});
 
 /// Limb calibration of one group from the stretches of its two poses. `sensors` empty: all of the group.
 Result<calibrate::LimbResult> calibrate_limb(const take::Take& take, int group,
@@ -42,9 +44,10 @@ struct ChosenCalibration {
   Diagnostics diagnostics;
 };
 
-/// `wanted` as SolveSettings::calibration. Fails when one is asked for by name that the take does not have.
+/// `wanted` as SolveSettings::calibration. Fails when one is asked for by name that the take does not have. Asks
+/// `progress` before every sensor.
 Result<ChosenCalibration> choose_calibration(const take::Take& take, const DecodedTake& decoded,
-                                             const std::string& wanted);
+                                             const std::string& wanted, const Progress& progress = {});
 
 /// What a new recording starts with.
 struct RecordingCalibration {

@@ -15,6 +15,7 @@
 
 #include "acquire/wav_writer.h"
 #include "base/files.h"
+#include "base/folder.h"
 
 namespace limbwave::take {
 namespace fs = std::filesystem;
@@ -52,8 +53,8 @@ std::string part_prefix(const fs::path& folder) {
 void remove_stale_parts(const fs::path& folder) {
   const std::string prefix = part_prefix(folder);
   std::error_code code;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder.parent_path(), code)) {
-    const std::string name = entry.path().filename().string();
+  for (const fs::path& entry : entries_of(folder.parent_path())) {
+    const std::string name = entry.filename().string();
     if (name.size() <= prefix.size() || !name.starts_with(prefix)) {
       continue;
     }
@@ -61,7 +62,7 @@ void remove_stale_parts(const fs::path& folder) {
     const char* end = name.data() + name.size();
     const auto [parsed, failure] = std::from_chars(name.data() + prefix.size(), end, process);
     if (failure == std::errc() && parsed == end && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
-      fs::remove_all(entry.path(), code);
+      fs::remove_all(entry, code);
     }
   }
 }

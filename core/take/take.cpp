@@ -64,7 +64,16 @@ Result<TakeInfo> read_info(const Take& take, Diagnostics& findings) {
   if (!json) {
     return json.error();
   }
-  return info_from_json(*json, path.string());
+  Result<TakeInfo> info = info_from_json(*json, path.string());
+  if (info && info->calibration) {
+    // Everything that computes poses relies on one entry per sensor. The take is usable without this one.
+    if (const Status fits = calibrate::check_calibration(*info->calibration, info->rig); !fits) {
+      findings.push_back(finding(Severity::kError, "take.calibration", fits.error().message + "; it is not used", path,
+                                 fits.error().remedy));
+      info->calibration.reset();
+    }
+  }
+  return info;
 }
 
 std::vector<TakeEvent> read_events(const fs::path& path, Diagnostics& findings) {

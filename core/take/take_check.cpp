@@ -11,6 +11,7 @@
 
 #include "acquire/wav_writer.h"
 #include "base/files.h"
+#include "base/folder.h"
 #include "base/json_reader.h"
 #include "take/signal_file.h"
 #include "take/take.h"
@@ -23,6 +24,11 @@ namespace {
 void add(Diagnostics& list, Severity severity, const char* code, std::string message, const fs::path& place,
          std::string remedy = {}) {
   list.push_back({severity, code, std::move(message), std::move(remedy), place.string(), -1.0});
+}
+
+bool has_finding(const Take& take, std::string_view code) {
+  return std::any_of(take.diagnostics.begin(), take.diagnostics.end(),
+                     [&](const Diagnostic& finding) { return finding.code == code; });
 }
 
 void check_header(const Take& take, const SignalFile& signal, Diagnostics& findings) {
@@ -74,13 +80,6 @@ void check_rig(const TakeInfo& info, const fs::path& place, Diagnostics& finding
           place);
     }
   }
-  const std::size_t count = info.rig.accelerometers.size();
-  if (info.calibration && (info.calibration->sensors.size() != count || info.calibration->mounts.size() != count)) {
-    add(findings, Severity::kError, "verify.calibration",
-        fmt::format("the calibration is of {} sensors with {} mounts, but the rig has {}",
-                    info.calibration->sensors.size(), info.calibration->mounts.size(), count),
-        place, "calibrate again");
-  }
 }
 
 // Every sample is read, so that a disk that fails shows now and not later.
@@ -111,23 +110,33 @@ void check_samples(const Take& take, Diagnostics& findings) {
   }
 }
 
-void check_json_files(const fs::path& folder, Diagnostics& findings) {
+void check_json_file(const fs::path& path, Diagnostics& findings) {
+  const Result<std::string> text = read_file(path);
+  const Result<nlohmann::json> json = text ? parse_json(*text, path.string()) : Result<nlohmann::json>(text.error());
+  if (!json) {
+    add(findings, Severity::kError, "verify.file", json.error().message, json.error().place,
+        "make it again: solve or simulate the take again");
+  }
+}
+
+// `path` and everything in it, apart from what opening the take has read.
+void check_json_files(const fs::path& path, const fs::path& known, Diagnostics& findings) {
   std::error_code code;
-  if (!fs::is_directory(folder, code)) {
+  if (!fs::is_directory(path, code)) {
+    const std::string extension = path.extension().string();
+    if (path != known && fs::is_regular_file(path, code) && (extension == ".json" || extension == ".gltf")) {
+      check_json_file(path, findings);
+    }
     return;
   }
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, code)) {
-    const std::string extension = entry.path().extension().string();
-    if (!entry.is_regular_file(code) || (extension != ".json" && extension != ".gltf") ||
-        entry.path() == folder / "take.json") {
-      continue;
-    }
-    const Result<std::string> text = read_file(entry.path());
-    const Result<nlohmann::json> json =
-        text ? parse_json(*text, entry.path().string()) : Result<nlohmann::json>(text.error());
-    if (!json) {
-      add(findings, Severity::kError, "verify.file", json.error().message, json.error().place,
-          "make it again: solve or simulate the take again");
+  const Result<std::vector<fs::path>> entries = list_folder(path);
+  if (!entries) {
+    add(findings, Severity::kError, "verify.folder", entries.error().message, path, entries.error().remedy);
+    return;
+  }
+  for (const fs::path& entry : *entries) {
+    if (!fs::is_symlink(entry, code) || !fs::is_directory(entry, code)) {  // a link may lead round in a circle
+      check_json_files(entry, known, findings);
     }
   }
 }
@@ -158,10 +167,36 @@ Status repair_signal(const fs::path& path, const acquire::StreamFormat& format, 
 // What `write_file` leaves when it is killed.
 void remove_parts(const fs::path& folder) {
   std::error_code code;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, code)) {
-    const std::string name = entry.path().filename().string();
+  for (const fs::path& entry : entries_of(folder)) {
+    const std::string name = entry.filename().string();
     if (name.starts_with("take.json.part") || name.starts_with("events.jsonl.part")) {
-      fs::remove(entry.path(), code);
+      fs::remove(entry, code);
+    }
+  }
+}
+
+// What saving a solve leaves when it is killed: ".NAME.part" is half of a new one, ".NAME.old" a whole old one.
+void settle_solves(const fs::path& solves, Diagnostics& done) {
+  constexpr std::string_view kPart = ".part";
+  constexpr std::string_view kOld = ".old";
+  std::error_code code;
+  for (const fs::path& entry : entries_of(solves)) {
+    const std::string name = entry.filename().string();
+    if (!name.starts_with('.')) {
+      continue;
+    }
+    if (name.ends_with(kPart)) {
+      fs::remove_all(entry, code);
+    } else if (name.ends_with(kOld)) {
+      const fs::path target = solves / name.substr(1, name.size() - 1 - kOld.size());
+      if (fs::exists(target, code)) {
+        fs::remove_all(entry, code);
+        continue;
+      }
+      fs::rename(entry, target, code);
+      if (!code) {
+        add(done, Severity::kInfo, "recover.solve", "was being replaced and was put back", target);
+      }
     }
   }
 }
@@ -209,7 +244,7 @@ Result<VerifyReport> verify_take(const fs::path& folder) {
   check_segments(*take, report.findings);
   check_rig(take->info, folder / "take.json", report.findings);
   check_samples(*take, report.findings);
-  check_json_files(folder, report.findings);
+  check_json_files(folder, folder / "take.json", report.findings);
   return report;
 }
 
@@ -231,8 +266,7 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
     return take.error();
   }
   Diagnostics done;
-  const bool lost_info = std::any_of(take->diagnostics.begin(), take->diagnostics.end(),
-                                     [](const Diagnostic& finding) { return finding.code == "take.no-info"; });
+  const bool lost_info = has_finding(*take, "take.no-info");
   const Result<SignalFile> signal = inspect_signal(take->signal_path(), take->info.format);
   if (!signal) {
     return signal.error();
@@ -241,6 +275,7 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
     return Error{"is being recorded right now", folder.string(), "stop the recording first"};
   }
   remove_parts(folder);
+  settle_solves(folder / "solves", done);
   if (signal->header_frames != signal->frames || signal->partial_bytes != 0 || !signal->header_readable) {
     if (Status status = repair_signal(take->signal_path(), take->info.format, *signal); !status) {
       return status.error();
@@ -257,6 +292,11 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
     take->info.complete = true;
     take->info.frames = signal->frames;
     for (TakeSegment& segment : take->info.segments) {
+      if (segment.first.value + segment.count.value > signal->frames) {
+        add(done, Severity::kWarning, "recover.segment",
+            fmt::format("segment \"{}\" reached beyond the end of the take and was shortened", segment.name),
+            folder / "take.json");
+      }
       segment.first.value = std::min(segment.first.value, signal->frames);
       segment.count.value = std::min(segment.count.value, signal->frames - segment.first.value);
     }
@@ -267,6 +307,10 @@ Result<Diagnostics> recover_take(const fs::path& folder) {
         fmt::format("the take is closed with {:.2f} s",
                     take->info.format.rate.seconds(SampleCount{signal->frames}).value),
         folder);
+    if (has_finding(*take, "take.calibration")) {
+      add(done, Severity::kWarning, "recover.calibration", "the calibration was not of this rig and was removed",
+          folder / "take.json", "calibrate again");
+    }
     if (lost_info) {
       add(done, Severity::kWarning, "recover.rig",
           "take.json was made again: the rig is taken to be \"" + take->info.rig.name + "\"", folder / "take.json",

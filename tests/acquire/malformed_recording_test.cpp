@@ -163,6 +163,23 @@ TEST_F(MalformedRecording, WithoutSamples) {
   EXPECT_THAT(outcome_of(WavBytes{}.bytes()), HasSubstr("the recording has no samples"));
 }
 
+// As editors write an empty selection: what follows the samples that are not there is no sound.
+TEST_F(MalformedRecording, ChunksAfterNoSamplesAreNoSamples) {
+  const auto little = [](std::uint32_t value) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) {
+      bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
+    }
+    return bytes;
+  };
+  const std::string list = "LIST" + little(204) + "INFO" + std::string(200, 'x');
+  std::string wav = WavBytes{}.bytes() + list;
+  EXPECT_EQ(outcome_of(wav), "recording.not-closed") << "a header that does not count them was never closed";
+  wav.replace(4, 4, little(static_cast<std::uint32_t>(wav.size()) - 8));
+  EXPECT_THAT(outcome_of(wav), HasSubstr("the recording has no samples"));
+  EXPECT_THAT(outcome_of(wav.substr(0, wav.size() - 1)), HasSubstr("the recording has no samples")) << "no pad byte";
+}
+
 TEST_F(MalformedRecording, NotNumbers) {
   std::string data(48000 * 8, '\0');
   const float bad[3] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),

@@ -6,8 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
+#include <vector>
 
 #include "support/temporary_folder.h"
 
@@ -54,6 +57,26 @@ TEST(Files, WritingIntoNowhereSaysWhy) {
   EXPECT_THAT(status.error().text(), HasSubstr("cannot be written (No such file"));
   EXPECT_THAT(write_file(folder.path(), "content").error().text(), HasSubstr("cannot be written"));
   EXPECT_EQ(entries(folder.path()), 0U);
+}
+
+TEST(Files, ThreadsThatSaveTheSameFileDoNotMixIt) {
+  const TemporaryFolder folder;
+  std::vector<std::thread> threads;
+  std::atomic<int> failed{0};
+  for (const char letter : {'a', 'b', 'c', 'd'}) {
+    threads.emplace_back([&, letter] {
+      for (int i = 0; i < 25; ++i) {
+        failed += write_file(folder / "x", std::string(200000, letter)).ok() ? 0 : 1;
+        const Result<std::string> read = read_file(folder / "x");
+        failed += read && *read == std::string(200000, read->front()) ? 0 : 1;
+      }
+    });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  EXPECT_EQ(failed, 0);
+  EXPECT_EQ(entries(folder.path()), 1U);
 }
 
 TEST(Files, FailedWritingKeepsTheOldContentAndLeavesNothingBehind) {

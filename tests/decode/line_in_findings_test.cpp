@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <random>
 
+#include "decode/finding_log.h"
 #include "decode/line_in.h"
 #include "support/decode_signal.h"
 #include "support/line_in_signal.h"
@@ -67,6 +69,65 @@ void expect_only(const Decoded& decoded, const std::string& code) {
     EXPECT_FALSE(finding.message.empty());
     EXPECT_FALSE(finding.remedy.empty());
   }
+}
+
+// A line that is listened to for hours: the recording that begins then has its own findings.
+TEST(LineInFindings, StartAnewWithARecording) {
+  LineInSignalSpec spec = moving();
+  spec.seconds = 30.0;
+  const test::LineInSignal signal = test::make_line_in_signal(spec);
+  std::vector<float> exchanged = signal.interleaved;
+  for (std::size_t n = 0; n + 1 < exchanged.size(); n += 2) {
+    std::swap(exchanged[n], exchanged[n + 1]);
+  }
+  // Every second 10 ms are missing.
+  std::vector<float> samples;
+  const auto second = static_cast<std::size_t>(2 * kRate);
+  for (std::size_t from = 0; from + second <= exchanged.size(); from += second) {
+    samples.insert(samples.end(), exchanged.begin() + static_cast<std::ptrdiff_t>(from),
+                   exchanged.begin() + static_cast<std::ptrdiff_t>(from + second - 960));
+  }
+  LineInDecoder decoder(LineInFormat{}, SampleRate{kRate});
+  const auto codes_in = [&](double seconds_from, double seconds_to) {
+    const auto from = 2 * static_cast<std::size_t>(seconds_from * kRate);
+    const auto to = std::min(samples.size(), 2 * static_cast<std::size_t>(seconds_to * kRate));
+    decoder.push(std::span(samples).subspan(from, to - from));
+    std::map<std::string, int> codes;
+    for (const Diagnostic& finding : decoder.take_diagnostics()) {
+      ++codes[finding.code];
+    }
+    return codes;
+  };
+  std::map<std::string, int> before = codes_in(0.0, 15.0);
+  EXPECT_EQ(before["line-in.swapped"], 1);
+  EXPECT_EQ(before["line-in.sync-lost"], 5) << "the others are counted";
+  decoder.restart_findings();
+  std::map<std::string, int> during = codes_in(15.0, 30.0);
+  EXPECT_EQ(during["line-in.swapped"], 1) << "still so";
+  EXPECT_EQ(during["line-in.sync-lost"], 5) << "of this recording";
+  decoder.sum_up_findings();
+  const Diagnostics sums = decoder.take_diagnostics();
+  ASSERT_EQ(sums.size(), 1U);
+  EXPECT_EQ(sums.front().code, "line-in.sync-lost");
+  EXPECT_NE(sums.front().message.find("14 times in all, 5 of them told"), std::string::npos) << sums.front().message;
+  decoder.sum_up_findings();
+  EXPECT_TRUE(decoder.take_diagnostics().empty()) << "once";
+}
+
+TEST(FindingLog, ToldAgainEveryMinute) {
+  FindingLog log(2);
+  for (int i = 0; i < 200; ++i) {
+    log.add({Severity::kWarning, "code", "message", "remedy", "", 1.0 * i});
+  }
+  std::vector<double> times;
+  for (const Diagnostic& finding : log.take()) {
+    times.push_back(finding.time_s);
+  }
+  EXPECT_EQ(times, (std::vector<double>{0.0, 1.0, 61.0, 121.0, 181.0}));
+  log.summarise();
+  const Diagnostics sums = log.take();
+  ASSERT_EQ(sums.size(), 1U);
+  EXPECT_EQ(sums.front().message, "200 times in all, 5 of them told; the last: message");
 }
 
 constexpr double kNoiseBound = 2.5e-3;  // volts: more than noise ever makes of a value here

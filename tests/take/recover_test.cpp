@@ -1,6 +1,8 @@
 // Takes that something has happened to: what opening, verifying and recovering make of them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -222,8 +224,82 @@ TEST_F(DamagedTake, VerifyChecksTheFilesAgainstEachOther) {
   fs::create_directories(path / "solves" / "default");
   write_bytes(path / "solves" / "default" / "report.json", "");
   const std::vector<std::string> found = codes(must(verify_take(path)).findings);
-  EXPECT_THAT(found, testing::UnorderedElementsAre("verify.segment", "verify.rig", "verify.calibration", "verify.event",
+  EXPECT_THAT(found, testing::UnorderedElementsAre("verify.segment", "verify.rig", "take.calibration", "verify.event",
                                                    "verify.file", "verify.file"));
+}
+
+TEST_F(DamagedTake, ACalibrationOfAnotherRigIsNotUsed) {
+  const Take whole = must(open_take(path));
+  const calibrate::RigCalibration nominal = calibrate::nominal_calibration(whole.info.rig);
+  const auto opened_with = [&](const calibrate::RigCalibration& calibration) {
+    Take take = whole;
+    take.info.calibration = calibration;
+    EXPECT_TRUE(save_info(take).ok());
+    return must(open_take(path));
+  };
+  EXPECT_TRUE(opened_with(nominal).info.calibration.has_value());
+  calibrate::RigCalibration fewer = nominal;
+  fewer.sensors.resize(2);
+  fewer.mounts.resize(2);
+  calibrate::RigCalibration reordered = nominal;
+  std::swap(reordered.sensors[0], reordered.sensors[1]);
+  std::swap(reordered.mounts[0], reordered.mounts[1]);
+  for (const calibrate::RigCalibration& wrong : {fewer, reordered}) {
+    const Take take = opened_with(wrong);
+    EXPECT_FALSE(take.info.calibration.has_value());
+    EXPECT_THAT(codes(take.diagnostics), ElementsAre("take.calibration"));
+    EXPECT_EQ(take.diagnostics.front().severity, Severity::kError);
+    EXPECT_THAT(codes(must(verify_take(path)).findings), Contains("take.calibration"));
+  }
+  EXPECT_THAT(codes(must(recover_take(path))), Contains("recover.calibration"));
+  expect_whole(5000);
+}
+
+TEST_F(DamagedTake, RecoverTellsWhichSegmentItShortened) {
+  Take take = must(open_take(path));
+  take.info.segments = {{"range", SampleIndex{0}, SampleCount{4000}},
+                        {"capture", SampleIndex{4000}, SampleCount{1000}}};
+  ASSERT_TRUE(save_info(take).ok());
+  fs::resize_file(signal, header_size + 4500 * 6);
+  const Diagnostics done = must(recover_take(path));
+  EXPECT_THAT(done, testing::Contains(testing::AllOf(testing::Field(&Diagnostic::code, "recover.segment"),
+                                                     testing::Field(&Diagnostic::message, HasSubstr("\"capture\"")))));
+  EXPECT_EQ(must(open_take(path)).info.segments[1].count, SampleCount{500});
+}
+
+TEST_F(DamagedTake, RecoverPutsASolveBackThatWasBeingReplaced) {
+  const fs::path solves = path / "solves";
+  for (const char* name : {".first.old", ".second.part", ".third.old", "third"}) {
+    fs::create_directories(solves / name);
+    write_bytes(solves / name / "settings.json", "{}");
+  }
+  EXPECT_THAT(codes(must(recover_take(path))), ElementsAre("recover.solve"));
+  EXPECT_THAT(names_in(solves), ElementsAre("first", "third"));
+  EXPECT_TRUE(fs::exists(solves / "first" / "settings.json"));
+}
+
+// The superuser may list everything, so somebody else looks.
+TEST_F(DamagedTake, VerifyTellsOfAFolderThatCannotBeListed) {
+  const fs::path locked = path / "solves" / "default";
+  fs::create_directories(locked);
+  fs::permissions(locked, fs::perms::none);
+  fs::permissions(folder.path(), static_cast<fs::perms>(0755));
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    if (::geteuid() == 0 && ::setuid(65534) != 0) {
+      ::_exit(2);
+    }
+    const Result<VerifyReport> report = verify_take(path);
+    const std::vector<std::string> found =
+        report ? codes(report->findings) : std::vector<std::string>{report.error().text()};
+    ::_exit(std::find(found.begin(), found.end(), "verify.folder") != found.end() ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  fs::permissions(locked, fs::perms::owner_all);
+  ASSERT_TRUE(WIFEXITED(status)) << "an exception left verify_take";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST_F(DamagedTake, VerifyOnlyReads) {

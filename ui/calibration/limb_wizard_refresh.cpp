@@ -41,7 +41,7 @@ VerdictRowContent limb_row(const LimbOutcome& outcome, const body::Rig& rig, boo
     return content;
   }
   const calibrate::SensorLimbResult& result = *outcome.result;
-  content.acceptable = true;
+  content.acceptable = result.mount.method != "nominal";  // the poses may have given none
   content.state = {verdict_tone(result.verdict), verdict_word(result.verdict),
                    format_degrees(result.mount.pose_angle_deg), LimbWizard::tr("between poses")};
   content.text = LimbWizard::tr("%1 from 90°, held within %2.")

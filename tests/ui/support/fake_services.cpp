@@ -175,7 +175,7 @@ class FakeBackend : public LiveBackend {
       if (!line_->locked) {
         health = {HealthState::kUnknown, "unknown", "not heard yet"};
       } else if (s == line_->dead_sensor) {
-        health = {HealthState::kBad, "stuck", "sends the same value all the time; check its cable and plug"};
+        health = {HealthState::kBad, "no-signal", "reads nothing; check that the sensor is plugged in"};
       } else if (s == line_->clipping_sensor) {
         health = {HealthState::kWarning, "clipping", "clips; turn the recording volume down"};
       }

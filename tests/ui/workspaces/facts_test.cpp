@@ -60,7 +60,7 @@ TEST(StatusFacts, AllWell) {
 TEST(StatusFacts, RedIsForLosingData) {
   solve::LiveSnapshot shot = good_snapshot();
   shot.line.locked = false;
-  shot.health[2] = {solve::HealthState::kBad, "stuck", "sends the same value all the time"};
+  shot.health[2] = {solve::HealthState::kBad, "no-signal", "reads nothing; check that the sensor is plugged in"};
   StatusInput input{.state = LiveState::kRunning, .snapshot = &shot, .disk_left_s = 100.0, .problem = {}, .remedy = {}};
   for (const char* id : {"disk", "sync", "sensors"}) {
     EXPECT_EQ(fact(input, id).tone, Tone::kWarning) << id;
@@ -79,8 +79,8 @@ TEST(StatusFacts, LeadsToTheWorstSensor) {
   shot.health[1].code = "saturated";
   shot.health[1].text = "clips";
   shot.health[3].state = solve::HealthState::kBad;
-  shot.health[3].code = "stuck";
-  shot.health[3].text = "is stuck";
+  shot.health[3].code = "no-signal";
+  shot.health[3].text = "reads nothing";
   const StatusInput input{.state = LiveState::kRunning,
                           .recording = true,
                           .snapshot = &shot,
@@ -90,7 +90,7 @@ TEST(StatusFacts, LeadsToTheWorstSensor) {
   const StatusFact sensors = fact(input, "sensors");
   EXPECT_EQ(sensors.topic, "sensor:3");
   EXPECT_EQ(sensors.text, "sensors 4/5");
-  EXPECT_TRUE(sensors.detail.contains("is stuck"));
+  EXPECT_TRUE(sensors.detail.contains("reads nothing"));
 }
 
 TEST(LevelAdvice, SaysWhatToDo) {
