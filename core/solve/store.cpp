@@ -144,7 +144,7 @@ Result<SolveSettings> load_solve_settings(const take::Take& take, const std::str
   if (Status status = check_name(name); !status) {
     return status.error();
   }
-  const fs::path file = take.folder / "solves" / name / "settings.json";
+  const fs::path file = folder_of(take.folder / "solves", name) / "settings.json";
   const Result<nlohmann::json> json = load_json(file);
   if (!json) {
     return json.error();
@@ -166,7 +166,7 @@ Result<fs::path> set_solve_aside(const take::Take& take, const std::string& name
   for (int number = 1; aside.empty() || fs::exists(aside, code); ++number) {
     aside = solves / (name + kDamaged + std::to_string(number));
   }
-  fs::rename(solves / name, aside, code);
+  fs::rename(folder_of(solves, name), aside, code);
   if (code) {
     return Error{"cannot be set aside (" + code.message() + ")", (solves / name).string(),
                  "check that you may write into the take"};
