@@ -72,9 +72,11 @@ bool KeyEditor::push(std::vector<KeyChange> changes, const QString& text, int ge
     return false;
   }
   auto* command = new ChangeKeysCommand(model_, std::move(changes), text, gesture);
-  const int before = stack_.count() + stack_.index();
+  // A command that changed nothing is dropped by the stack. What was undone before goes in any case, so the count tells
+  // nothing.
+  const int before = stack_.index();
   stack_.push(command);
-  return gesture != kNoGesture || stack_.count() + stack_.index() != before;
+  return gesture != kNoGesture || stack_.index() > before;
 }
 
 bool KeyEditor::set_value(int lane, double time_s, double value, int gesture) {

@@ -125,6 +125,16 @@ TEST_F(Keys, SelectionForgetsKeysThatUndoTakesAway) {
   EXPECT_TRUE(editor.selected().empty());
 }
 
+TEST_F(Keys, AKeySetAfterTwoUndoneStepsIsSelected) {
+  editor.set_value(0, 1.0, 0.3);
+  editor.set_value(0, 2.0, 0.3);
+  stack.undo();
+  stack.undo();
+  EXPECT_TRUE(editor.set_value(0, 3.0, 0.4));
+  EXPECT_EQ(editor.selected().size(), 1U);
+  EXPECT_EQ(stack.count(), 1);
+}
+
 TEST_F(Keys, NothingToDoLeavesNoStep) {
   EXPECT_FALSE(editor.remove({}));
   EXPECT_FALSE(editor.set_value(5, 1.0, 0.0));
