@@ -25,7 +25,11 @@ void Notifications::post_error(const QString& what, const Error& error) {
   if (is_cancelled(error)) {
     return;
   }
-  QString text = what.isEmpty() ? QString() : what + QStringLiteral(": ");
+  QString text = what;
+  while (text.endsWith(QLatin1Char('.'))) {
+    text.chop(1);
+  }
+  text += text.isEmpty() ? QString() : QStringLiteral(": ");
   text += QString::fromStdString(error.place.empty() ? error.message : error.place + ": " + error.message);
   post(Severity::kError, as_sentence(text), as_sentence(QString::fromStdString(error.remedy)));
 }

@@ -86,6 +86,7 @@ void CaptureModel::suggest_name() {
     const QDate day = today_.isValid() ? today_ : QDate::currentDate();
     take_name_ = suggest_take_name(context_.takes_folder(), subject(), day.toString(QStringLiteral("yyyyMMdd")));
   }
+  check_name();
   Q_EMIT setup_changed();
 }
 
@@ -93,8 +94,8 @@ QString CaptureModel::take_folder() const {
   return QDir(context_.takes_folder()).filePath(take_name_ + QStringLiteral(".take"));
 }
 
-QString CaptureModel::take_name_problem() const {
-  return limbwave::ui::take_name_problem(context_.takes_folder(), take_name_);
+void CaptureModel::check_name() {
+  name_problem_ = limbwave::ui::take_name_problem(context_.takes_folder(), take_name_);
 }
 
 bool CaptureModel::can_record() const {
@@ -174,6 +175,7 @@ void CaptureModel::set_take_name(const QString& name) {
   if (name != take_name_) {
     take_name_ = name;
     name_typed_ = !name.isEmpty();
+    check_name();
     Q_EMIT setup_changed();
   }
 }

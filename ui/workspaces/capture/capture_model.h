@@ -32,7 +32,7 @@ class CaptureModel : public QObject {
   [[nodiscard]] const QString& take_name() const { return take_name_; }
   [[nodiscard]] QString take_folder() const;
   /// Why the next take cannot be recorded under this name; empty: it can.
-  [[nodiscard]] QString take_name_problem() const;
+  [[nodiscard]] const QString& take_name_problem() const { return name_problem_; }
   [[nodiscard]] const std::vector<MarkerRow>& markers() const { return markers_; }
   [[nodiscard]] bool can_record() const;
   /// Names of the rig's sensors, of the running capture, else of the chosen rig.
@@ -63,6 +63,7 @@ class CaptureModel : public QObject {
 
  private:
   void load_rig_names();
+  void check_name();
   void show_markers_of_take();
 
   StudioContext& context_;
@@ -70,6 +71,7 @@ class CaptureModel : public QObject {
   bool searching_ = false;
   QString search_problem_, rig_, take_name_;
   bool name_typed_ = false;
+  QString name_problem_;  ///< As it was when the name or what is in the folder changed: looking may wait for a network.
   QStringList sensor_names_;
   int slot_count_ = 16;
   std::vector<MarkerRow> markers_;

@@ -6,10 +6,13 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "body/rig.h"
+#include "common/core_services.h"
 #include "common/format.h"
 #include "common/icons.h"
 #include "common/theme.h"
 #include "common/widgets.h"
+#include "workspaces/capture/board_dialog.h"
 
 namespace limbwave::ui {
 
@@ -20,7 +23,8 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
       devices_(new QComboBox(this)),
       rigs_(new QComboBox(this)),
       refresh_(icon_button(QStringLiteral("refresh"), tr("Look for devices again"), this)),
-      format_(dim_label({}, this)) {
+      format_(dim_label({}, this)),
+      board_(icon_button(QStringLiteral("sensor"), tr("Name the sensor board on this device"), this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
@@ -46,6 +50,9 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   layout->addSpacing(2 * kGrid);
   layout->addWidget(rig_label);
   layout->addWidget(rigs_, 2);
+  board_->setObjectName(QStringLiteral("edit_board"));
+  layout->addWidget(board_);
+  connect(board_, &QToolButton::clicked, this, &SourceBar::edit_board);
 
   connect(refresh_, &QToolButton::clicked, &model_, &CaptureModel::refresh_devices);
   connect(devices_, &QComboBox::activated, this,
@@ -68,6 +75,34 @@ void SourceBar::focus_devices() {
   devices_->setFocus();
 }
 
+void SourceBar::edit_board() {
+  const LiveModel& live = context_.live();
+  const QString device = live.device_id();
+  const Result<body::Rig> rig = body::load_rig(model_.rig().toStdString());
+  if (!rig) {
+    context_.notifications().post_error(tr("Rig %1").arg(model_.rig()), rig.error());
+    return;
+  }
+  const take::BoardBook book;
+  const Result<take::Board> board = book.board(device.toStdString(), rig->name);
+  if (!board) {
+    context_.notifications().post_error(tr("The list of boards cannot be read"), board.error());
+    return;
+  }
+  auto* dialog = new BoardDialog(live.device_title(), *rig, *board, window());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, book, device, name = rig->name] {
+    if (const Status kept = book.set_board(device.toStdString(), name, dialog->board()); !kept) {
+      context_.notifications().post_error(tr("The board cannot be kept"), kept.error());
+      return;
+    }
+    // Opened anew, it goes by its own sensors' calibrations.
+    context_.live().close();
+    model_.open_device(device);
+  });
+  dialog->open();
+}
+
 void SourceBar::refresh() {
   const LiveModel& live = context_.live();
   const QSignalBlocker block_devices(devices_), block_rigs(rigs_);
@@ -88,6 +123,8 @@ void SourceBar::refresh() {
   devices_->setEnabled(free);
   rigs_->setEnabled(free && rigs_->count() > 0);
   refresh_->setEnabled(free && !model_.searching());
+  // The simulator's sensors have serials of their own.
+  board_->setEnabled(free && live.running() && !live.device_id().startsWith(QLatin1String(kSimulatorPrefix)));
   if (live.snapshot() && live.running()) {
     format_->setText(tr("%1, %2 bit")
                          .arg(format_rate(live.snapshot()->format.rate.hz))

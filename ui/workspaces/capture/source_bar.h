@@ -20,12 +20,14 @@ class SourceBar : public QWidget {
 
  private:
   void refresh();
+  void edit_board();
   StudioContext& context_;
   CaptureModel& model_;
   QComboBox* devices_;
   QComboBox* rigs_;
   QToolButton* refresh_;
   QLabel* format_;
+  QToolButton* board_;
 };
 
 }  // namespace limbwave::ui
