@@ -79,6 +79,12 @@ fs::path old_folder(const fs::path& solves, const std::string& name) {
   return solves / ("." + name + std::string(kOld));
 }
 
+// Where a solve is: under its name, or aside when saving was killed between two renames.
+fs::path folder_of(const fs::path& solves, const std::string& name) {
+  std::error_code code;
+  return fs::is_directory(solves / name, code) ? solves / name : old_folder(solves, name);
+}
+
 // `part` gets the name `target`. What had it is in `part` or gone afterwards.
 Status put_in_place(const fs::path& part, const fs::path& target, const fs::path& old) {
   std::error_code code;

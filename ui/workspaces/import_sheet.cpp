@@ -57,16 +57,16 @@ ImportSheet::ImportSheet(StudioContext& context, const QStringList& files, QWidg
   rig_->setAccessibleName(tr("Rig"));
   rig_->setToolTip(tr("What was worn where"));
   if (context_.services().list_rigs) {
-    for (const std::string& rig : context_.services().list_rigs()) {
-      rig_->addItem(QString::fromStdString(rig));
+    for (const RigChoice& rig : context_.services().list_rigs()) {
+      rig_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
     }
   }
   const QString last =
       context_.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
-  if (rig_->findText(last) < 0) {
-    rig_->addItem(last);
+  if (rig_->findData(last) < 0) {
+    rig_->addItem(last, last);
   }
-  rig_->setCurrentText(last);
+  rig_->setCurrentIndex(rig_->findData(last));
   subject_->setObjectName(QStringLiteral("import_subject"));
   subject_->setAccessibleName(tr("Subject"));
   subject_->setPlaceholderText(tr("Who wore the sensors"));
@@ -96,7 +96,7 @@ QString ImportSheet::take_name() const {
 }
 
 QString ImportSheet::rig() const {
-  return rig_->currentText();
+  return rig_->currentData().toString();
 }
 
 QString ImportSheet::subject() const {
