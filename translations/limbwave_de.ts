@@ -2,6 +2,81 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
     <context>
+        <name>CalibrationWords</name>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>Good</source>
+            <translation>Gut</translation>
+        </message>
+        <message>
+            <source>Usable</source>
+            <translation>Brauchbar</translation>
+        </message>
+        <message>
+            <source>Repeat</source>
+            <translation>Wiederholen</translation>
+        </message>
+        <message>
+            <source>Not calibrated</source>
+            <translation>Nicht kalibriert</translation>
+        </message>
+        <message>
+            <source>data sheet values, up to 10 % off</source>
+            <translation>Werte des Datenblatts, bis zu 10 % daneben</translation>
+        </message>
+        <message>
+            <source>taken to sit as the rig shows it</source>
+            <translation>angenommen: sitzt, wie das Rig es zeigt</translation>
+        </message>
+        <message>
+            <source>%1 mg</source>
+            <translation>%1 mg</translation>
+        </message>
+        <message>
+            <source>%1 up</source>
+            <translation>%1 oben</translation>
+        </message>
+        <message>
+            <source>%1 and %2 up</source>
+            <translation>%1 und %2 oben</translation>
+        </message>
+        <message>
+            <source>corner %1 up</source>
+            <translation>Ecke %1 oben</translation>
+        </message>
+        <message>
+            <source>1 sensor</source>
+            <translation>1 Sensor</translation>
+        </message>
+        <message>
+            <source>%1 sensors</source>
+            <translation>%1 Sensoren</translation>
+        </message>
+        <message>
+            <source>1 calibration</source>
+            <translation>1 Kalibrierung</translation>
+        </message>
+        <message>
+            <source>%1 calibrations</source>
+            <translation>%1 Kalibrierungen</translation>
+        </message>
+        <message>
+            <source>extremes</source>
+            <translation>Extremwerte</translation>
+        </message>
+        <message>
+            <source>ellipsoid</source>
+            <translation>Ellipsoid</translation>
+        </message>
+        <message>
+            <source>two poses</source>
+            <translation>zwei Posen</translation>
+        </message>
+    </context>
+    <context>
         <name>CoreServices</name>
         <message>
             <source>Simulator: %1</source>
@@ -9,14 +84,61 @@
         </message>
     </context>
     <context>
+        <name>DeviceFormat</name>
+        <message>
+            <source>Automatic</source>
+            <translation>Automatisch</translation>
+        </message>
+        <message>
+            <source>the device does not say what it offers; another program may be using it</source>
+            <translation>das Gerät sagt nicht, was es bietet; vielleicht benutzt es ein anderes Programm</translation>
+        </message>
+        <message>
+            <source>the device does not run at this rate</source>
+            <translation>mit dieser Rate läuft das Gerät nicht</translation>
+        </message>
+        <message>
+            <source>the device does not give such samples</source>
+            <translation>solche Abtastwerte liefert das Gerät nicht</translation>
+        </message>
+        <message>
+            <source>Left %1, right %2</source>
+            <translation>Links %1, rechts %2</translation>
+        </message>
+        <message>
+            <source>Other inputs</source>
+            <translation>Andere Eingänge</translation>
+        </message>
+        <message>
+            <source>the device is mono; the board needs two channels</source>
+            <translation>das Gerät ist mono; die Platine braucht zwei Kanäle</translation>
+        </message>
+        <message>
+            <source>the device has no more than these</source>
+            <translation>mehr als diese hat das Gerät nicht</translation>
+        </message>
+        <message>
+            <source>%1 bit float</source>
+            <translation>%1 Bit Gleitkomma</translation>
+        </message>
+        <message>
+            <source>%1 bit</source>
+            <translation>%1 Bit</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>%1, inputs %2 + %3</source>
+            <translation>%1, Eingänge %2 + %3</translation>
+        </message>
+    </context>
+    <context>
         <name>Export</name>
         <message>
             <source>BVH</source>
             <translation>BVH</translation>
-        </message>
-        <message>
-            <source>Skeleton and motion as text. Blender, Maya, MotionBuilder and many others read it.</source>
-            <translation>Skelett und Bewegung als Text. Blender, Maya, MotionBuilder und viele andere lesen es.</translation>
         </message>
         <message>
             <source>Choose where the file goes.</source>
@@ -37,6 +159,10 @@
         <message>
             <source>The name must end in %1, or other programs will not find the file.</source>
             <translation>Der Name muss auf %1 enden, sonst finden andere Programme die Datei nicht.</translation>
+        </message>
+        <message>
+            <source>Skeleton and motion as text, for Blender, Maya, MotionBuilder and others</source>
+            <translation>Skelett und Bewegung als Text, für Blender, Maya, MotionBuilder und andere</translation>
         </message>
     </context>
     <context>
@@ -78,7 +204,7 @@
             <translation>Der Take braucht einen Namen.</translation>
         </message>
         <message>
-            <source>A take's name has no slash and does not start with a dot.</source>
+            <source>A take&apos;s name has no slash and does not start with a dot.</source>
             <translation>Der Name eines Takes enthält keinen Schrägstrich und beginnt nicht mit einem Punkt.</translation>
         </message>
         <message>
@@ -631,7 +757,7 @@
             <translation>kein Takt</translation>
         </message>
         <message>
-            <source>The board's clock is not heard on the right channel. Look at the scope.</source>
+            <source>The board&apos;s clock is not heard on the right channel. Look at the scope.</source>
             <translation>Der Takt der Platine ist auf dem rechten Kanal nicht zu hören. Sehen Sie auf das Oszilloskop.</translation>
         </message>
         <message>
@@ -639,7 +765,7 @@
             <translation>hört zu</translation>
         </message>
         <message>
-            <source>Looking for the board's clock.</source>
+            <source>Looking for the board&apos;s clock.</source>
             <translation>Sucht den Takt der Platine.</translation>
         </message>
         <message>
@@ -647,7 +773,7 @@
             <translation>Verzug –</translation>
         </message>
         <message>
-            <source>From the sensor to the screen, beyond the device's own buffer; known while a skeleton is shown live.</source>
+            <source>From the sensor to the screen, beyond the device&apos;s own buffer; known while a skeleton is shown live.</source>
             <translation>Vom Sensor bis zum Bildschirm, jenseits des Gerätepuffers; bekannt, solange ein Skelett live gezeigt wird.</translation>
         </message>
         <message>
@@ -655,8 +781,23 @@
             <translation>Verzug %1 ms</translation>
         </message>
         <message>
-            <source>From the sensor to the screen, beyond the device's own buffer: %1 ms on average, %2 ms at most; the device adds %3 ms.</source>
+            <source>From the sensor to the screen, beyond the device&apos;s own buffer: %1 ms on average, %2 ms at most; the device adds %3 ms.</source>
             <translation>Vom Sensor bis zum Bildschirm, jenseits des Gerätepuffers: im Mittel %1 ms, höchstens %2 ms; das Gerät fügt %3 ms hinzu.</translation>
+        </message>
+    </context>
+    <context>
+        <name>TakeSegments</name>
+        <message>
+            <source>Sensors are turned</source>
+            <translation>Sensoren werden gedreht</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Capture</source>
+            <translation>Aufnahme</translation>
         </message>
     </context>
     <context>
@@ -766,6 +907,301 @@
         </message>
     </context>
     <context>
+        <name>limbwave::ui::CalibrateHistory</name>
+        <message>
+            <source>Library: %1</source>
+            <translation>Bibliothek: %1</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>Verlauf</translation>
+        </message>
+        <message>
+            <source>Select a sensor to see its calibrations.</source>
+            <translation>Einen Sensor wählen, um seine Kalibrierungen zu sehen.</translation>
+        </message>
+        <message>
+            <source>No serial: known by its place on the board.</source>
+            <translation>Ohne Seriennummer: bekannt durch seinen Platz auf der Platine.</translation>
+        </message>
+        <message>
+            <source>Serial %1</source>
+            <translation>Seriennummer %1</translation>
+        </message>
+        <message>
+            <source>Range</source>
+            <translation>Messbereich</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>noch keine</translation>
+        </message>
+        <message>
+            <source>Mounting</source>
+            <translation>Sitz</translation>
+        </message>
+        <message>
+            <source>in use</source>
+            <translation>in Gebrauch</translation>
+        </message>
+        <message>
+            <source>Use</source>
+            <translation>Benutzen</translation>
+        </message>
+        <message>
+            <source>Go back to this calibration</source>
+            <translation>Zu dieser Kalibrierung zurückkehren</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::CalibrateOverview</name>
+        <message>
+            <source>Everything is calibrated</source>
+            <translation>Alles ist kalibriert</translation>
+        </message>
+        <message>
+            <source>Range: %1 of %3.  Mounting: %2 of %3.</source>
+            <translation>Messbereich: %1 von %3.  Sitz: %2 von %3.</translation>
+        </message>
+        <message>
+            <source>Next: calibrate the range, once in a sensor&apos;s life. Uncalibrated sensors may point 6° or more beside the truth.</source>
+            <translation>Als Nächstes: den Messbereich kalibrieren, einmal im Leben eines Sensors. Unkalibrierte Sensoren zeigen leicht 6° und mehr daneben.</translation>
+        </message>
+        <message>
+            <source>Next: put the sensors on and calibrate the mounting.</source>
+            <translation>Als Nächstes: die Sensoren anlegen und ihren Sitz kalibrieren.</translation>
+        </message>
+        <message>
+            <source>Repeat: %1.</source>
+            <translation>Wiederholen: %1.</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <translation>, </translation>
+        </message>
+        <message>
+            <source>Calibrate the mounting again whenever the sensors are put on anew or have slipped.</source>
+            <translation>Den Sitz neu kalibrieren, sobald die Sensoren neu angelegt werden oder verrutscht sind.</translation>
+        </message>
+        <message>
+            <source>Calibrate range</source>
+            <translation>Messbereich kalibrieren</translation>
+        </message>
+        <message>
+            <source>Calibrate mounting</source>
+            <translation>Sitz kalibrieren</translation>
+        </message>
+        <message>
+            <source>From a recording</source>
+            <translation>Aus einer Aufnahme</translation>
+        </message>
+        <message>
+            <source>Use the library&apos;s calibration</source>
+            <translation>Kalibrierung der Bibliothek benutzen</translation>
+        </message>
+        <message>
+            <source>Sensor</source>
+            <translation>Sensor</translation>
+        </message>
+        <message>
+            <source>Range: residual of gravity</source>
+            <translation>Messbereich: Restfehler der Schwerkraft</translation>
+        </message>
+        <message>
+            <source>Mounting: angle between the poses, 90° is right</source>
+            <translation>Sitz: Winkel zwischen den Posen, richtig sind 90°</translation>
+        </message>
+        <message>
+            <source>Calibrate from a stretch of a take in which sensors were turned or poses held</source>
+            <translation>Aus einem Abschnitt eines Takes kalibrieren, in dem Sensoren gedreht oder Posen gehalten wurden</translation>
+        </message>
+        <message>
+            <source>Running capture: %1.</source>
+            <translation>Laufende Aufnahme: %1.</translation>
+        </message>
+        <message>
+            <source>Take: %1.</source>
+            <translation>Take: %1.</translation>
+        </message>
+        <message>
+            <source> Worn by %1.</source>
+            <translation> Getragen von %1.</translation>
+        </message>
+        <message>
+            <source>The newest of every sensor and of this wearer&apos;s mountings</source>
+            <translation>Das Neueste jedes Sensors und vom Sitz an dieser Person</translation>
+        </message>
+        <message>
+            <source>The library knows none of these sensors yet.</source>
+            <translation>Die Bibliothek kennt noch keinen dieser Sensoren.</translation>
+        </message>
+        <message>
+            <source>no serial</source>
+            <translation>ohne Seriennummer</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::CalibrateWorkspace</name>
+        <message>
+            <source>Nothing to calibrate yet</source>
+            <translation>Noch nichts zu kalibrieren</translation>
+        </message>
+        <message>
+            <source>Open a device in Capture to calibrate its sensors, or open a take to look at its calibration and compute it anew.</source>
+            <translation>Unter „Aufnehmen“ ein Gerät öffnen, um seine Sensoren zu kalibrieren, oder einen Take öffnen, um seine Kalibrierung anzusehen und neu zu berechnen.</translation>
+        </message>
+        <message>
+            <source>Open a device in Capture</source>
+            <translation>Gerät unter „Aufnehmen“ öffnen</translation>
+        </message>
+        <message>
+            <source>Calibrate from a recording</source>
+            <translation>Aus einer Aufnahme kalibrieren</translation>
+        </message>
+        <message>
+            <source>Range calibration</source>
+            <translation>Kalibrierung des Messbereichs</translation>
+        </message>
+        <message>
+            <source>Mounting calibration</source>
+            <translation>Kalibrierung des Sitzes</translation>
+        </message>
+        <message>
+            <source>Calibration from a recording</source>
+            <translation>Kalibrierung aus einer Aufnahme</translation>
+        </message>
+        <message>
+            <source>%1 of %2 is saved and in use.</source>
+            <translation>%1 von %2: gespeichert und in Gebrauch.</translation>
+        </message>
+        <message>
+            <source>Calibrate</source>
+            <translation>Kalibrieren</translation>
+        </message>
+        <message>
+            <source>Find each sensor&apos;s zero and scale, and how it sits on its limb</source>
+            <translation>Nullpunkt und Maßstab jedes Sensors finden, und wie er auf seinem Glied sitzt</translation>
+        </message>
+        <message>
+            <source>Enter</source>
+            <translation>Eingabe</translation>
+        </message>
+        <message>
+            <source>Next step of a calibration</source>
+            <translation>Nächster Schritt einer Kalibrierung</translation>
+        </message>
+        <message>
+            <source>Esc</source>
+            <translation>Esc</translation>
+        </message>
+        <message>
+            <source>Leave a calibration, asking first</source>
+            <translation>Eine Kalibrierung verlassen, mit Rückfrage</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::CalibrationDesk</name>
+        <message>
+            <source>The raw signals are not kept: %1</source>
+            <translation>Die rohen Signale werden nicht aufgehoben: %1</translation>
+        </message>
+        <message>
+            <source>Reading the calibration library</source>
+            <translation>Die Kalibrierungen werden gelesen</translation>
+        </message>
+        <message>
+            <source>The calibration is not saved in the take</source>
+            <translation>Die Kalibrierung ist nicht im Take gespeichert</translation>
+        </message>
+        <message>
+            <source>The calibration is not saved in the library</source>
+            <translation>Die Kalibrierung ist nicht in der Bibliothek gespeichert</translation>
+        </message>
+        <message>
+            <source>The calibration is not taken out of the library</source>
+            <translation>Die Kalibrierung ist nicht aus der Bibliothek genommen</translation>
+        </message>
+        <message>
+            <source>Saving the calibration</source>
+            <translation>Die Kalibrierung wird gespeichert</translation>
+        </message>
+        <message>
+            <source>range calibration</source>
+            <translation>Kalibrierung des Messbereichs</translation>
+        </message>
+        <message>
+            <source>mounting calibration</source>
+            <translation>Kalibrierung des Sitzes</translation>
+        </message>
+        <message>
+            <source>choice of calibration</source>
+            <translation>Wahl der Kalibrierung</translation>
+        </message>
+        <message>
+            <source>Raw signals are kept in %1</source>
+            <translation>Die rohen Signale stehen in %1</translation>
+        </message>
+        <message>
+            <source>The raw signals are not kept in a take of their own: the capture records already, or it cannot record. The calibration itself goes on.</source>
+            <translation>Die rohen Signale bekommen keinen eigenen Take: Es wird schon aufgenommen, oder es kann nicht aufgenommen werden. Die Kalibrierung selbst geht weiter.</translation>
+        </message>
+        <message>
+            <source>Closing the calibration&apos;s take</source>
+            <translation>Der Take der Kalibrierung wird geschlossen</translation>
+        </message>
+        <message>
+            <source>The calibration&apos;s take has no segments</source>
+            <translation>Der Take der Kalibrierung hat keine Abschnitte</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::CalibrationWizard</name>
+        <message>
+            <source>Sounds</source>
+            <translation>Töne</translation>
+        </message>
+        <message>
+            <source>Not saved: %1</source>
+            <translation>Nicht gespeichert: %1</translation>
+        </message>
+        <message>
+            <source>Sounds are on: the countdown is heard. Press to mute.</source>
+            <translation>Töne sind an: Man hört den Countdown. Drücken: stumm.</translation>
+        </message>
+        <message>
+            <source>Sounds are off. Press to hear the countdown.</source>
+            <translation>Töne sind aus. Drücken, um den Countdown zu hören.</translation>
+        </message>
+        <message>
+            <source>Open a device in Capture</source>
+            <translation>Gerät unter „Aufnehmen“ öffnen</translation>
+        </message>
+        <message>
+            <source>%1 calibrated</source>
+            <translation>%1 kalibriert</translation>
+        </message>
+        <message>
+            <source>Repeat</source>
+            <translation>Wiederholen</translation>
+        </message>
+        <message>
+            <source>%1 of %2 calibrated, repeat the others</source>
+            <translation>%1 von %2 kalibriert, die anderen wiederholen</translation>
+        </message>
+        <message>
+            <source>Signal: &lt;b&gt;%1&lt;/b&gt;</source>
+            <translation>Signal: &lt;b&gt;%1&lt;/b&gt;</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;No signal comes in.&lt;/b&gt;</source>
+            <translation>&lt;b&gt;Es kommt kein Signal.&lt;/b&gt;</translation>
+        </message>
+        <message>
+            <source>The verdicts of %1 are not saved yet.</source>
+            <translation>Die Urteile zu %1 sind noch nicht gespeichert.</translation>
+        </message>
+    </context>
+    <context>
         <name>limbwave::ui::CaptureModel</name>
         <message>
             <source>Rig %1</source>
@@ -776,8 +1212,16 @@
             <translation>Sucht nach Geräten</translation>
         </message>
         <message>
-            <source>Marker %1</source>
-            <translation>Marke %1</translation>
+            <source>rig</source>
+            <translation>Rig</translation>
+        </message>
+        <message>
+            <source>subject</source>
+            <translation>Person</translation>
+        </message>
+        <message>
+            <source>name of the take</source>
+            <translation>Name des Takes</translation>
         </message>
     </context>
     <context>
@@ -842,6 +1286,26 @@
             <source>Solve it</source>
             <translation>Berechnen</translation>
         </message>
+        <message>
+            <source>Rename the selected marker</source>
+            <translation>Die gewählte Marke umbenennen</translation>
+        </message>
+        <message>
+            <source>Delete</source>
+            <translation>Entf</translation>
+        </message>
+        <message>
+            <source>Delete the selected marker</source>
+            <translation>Die gewählte Marke löschen</translation>
+        </message>
+        <message>
+            <source>Shift+← / →</source>
+            <translation>Umschalt+← / →</translation>
+        </message>
+        <message>
+            <source>In the signal: move the selected marker by 10 ms, with Ctrl by 100 ms</source>
+            <translation>Im Signal: die gewählte Marke um 10 ms verschieben, mit Strg um 100 ms</translation>
+        </message>
     </context>
     <context>
         <name>limbwave::ui::CurvesPanel</name>
@@ -889,7 +1353,7 @@
             <translation>Zentimeter (die meisten Programme)</translation>
         </message>
         <message>
-            <source>Metres (Blender's own)</source>
+            <source>Metres (Blender&apos;s own)</source>
             <translation>Meter (Blenders eigene)</translation>
         </message>
         <message>
@@ -1075,6 +1539,307 @@
         </message>
     </context>
     <context>
+        <name>limbwave::ui::LimbHoldPage</name>
+        <message>
+            <source>Check: %1</source>
+            <translation>Prüfung: %1</translation>
+        </message>
+        <message>
+            <source>Pose %1 of 2: %2</source>
+            <translation>Pose %1 von 2: %2</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <translation>, </translation>
+        </message>
+        <message>
+            <source>Take this pose</source>
+            <translation>Diese Pose einnehmen</translation>
+        </message>
+        <message>
+            <source>The device is back</source>
+            <translation>Das Gerät ist wieder da</translation>
+        </message>
+        <message>
+            <source>Signal lost</source>
+            <translation>Signal weg</translation>
+        </message>
+        <message>
+            <source>Go back and start the poses again.</source>
+            <translation>Zurückgehen und die Posen neu beginnen.</translation>
+        </message>
+        <message>
+            <source>The device stopped sending. Plug it in again, open it in Capture, then go back and start the poses again. What was held until then is kept.</source>
+            <translation>Das Gerät sendet nicht mehr. Wieder einstecken, unter „Aufnehmen“ öffnen, dann zurückgehen und die Posen neu beginnen. Was bis dahin gehalten wurde, bleibt erhalten.</translation>
+        </message>
+        <message>
+            <source>lost</source>
+            <translation>weg</translation>
+        </message>
+        <message>
+            <source>Go on without %1</source>
+            <translation>Ohne %1 weitermachen</translation>
+        </message>
+        <message>
+            <source>Take the stillest second (%1)</source>
+            <translation>Die ruhigste Sekunde nehmen (%1)</translation>
+        </message>
+        <message>
+            <source>No signal: %1</source>
+            <translation>Kein Signal: %1</translation>
+        </message>
+        <message>
+            <source>Check the cable and plug of %1, or go on without.</source>
+            <translation>Kabel und Stecker prüfen (%1) oder ohne weitermachen.</translation>
+        </message>
+        <message>
+            <source>?</source>
+            <translation>?</translation>
+        </message>
+        <message>
+            <source>Hold still</source>
+            <translation>Stillhalten</translation>
+        </message>
+        <message>
+            <source>Good, stay like this.</source>
+            <translation>Gut, so bleiben.</translation>
+        </message>
+        <message>
+            <source>still</source>
+            <translation>still</translation>
+        </message>
+        <message>
+            <source>Moves: %1</source>
+            <translation>Bewegt sich: %1</translation>
+        </message>
+        <message>
+            <source>Rest it against something, breathe out and hold. It is taken as soon as all are still.</source>
+            <translation>Anlehnen, ausatmen und halten. Sobald alle still sind, wird es genommen.</translation>
+        </message>
+        <message>
+            <source>moves</source>
+            <translation>bewegt</translation>
+        </message>
+        <message>
+            <source>One still second is enough.</source>
+            <translation>Eine ruhige Sekunde genügt.</translation>
+        </message>
+        <message>
+            <source>hold</source>
+            <translation>halten</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::LimbWizard</name>
+        <message>
+            <source>Calibrate mounting</source>
+            <translation>Sitz kalibrieren</translation>
+        </message>
+        <message>
+            <source>Which limb, and which of its sensors?</source>
+            <translation>Welches Glied, und welche seiner Sensoren?</translation>
+        </message>
+        <message>
+            <source>Mounting calibration finds how every sensor sits on its limb, from two poses a right angle apart. It is done each time the sensors are put on.</source>
+            <translation>Hier wird aus zwei Posen im rechten Winkel gefunden, wie jeder Sensor auf seinem Glied sitzt. Das ist jedes Mal nötig, wenn die Sensoren angelegt werden.</translation>
+        </message>
+        <message>
+            <source>Who wears them</source>
+            <translation>Wer sie trägt</translation>
+        </message>
+        <message>
+            <source>Name (may stay empty)</source>
+            <translation>Name (darf leer bleiben)</translation>
+        </message>
+        <message>
+            <source>Calibrate their range first</source>
+            <translation>Zuerst ihren Messbereich kalibrieren</translation>
+        </message>
+        <message>
+            <source>After Start you have the time below to take the first pose. It is captured by itself as soon as everything is still for a second; a sound tells, and the second pose follows. No key is needed.</source>
+            <translation>Nach „Start“ bleibt die Zeit unten, um die erste Pose einzunehmen. Sie wird von selbst erfasst, sobald alles eine Sekunde lang still ist; ein Ton sagt es, dann folgt die zweite Pose. Keine Taste ist nötig.</translation>
+        </message>
+        <message>
+            <source>Time to take a pose</source>
+            <translation>Zeit für eine Pose</translation>
+        </message>
+        <message>
+            <source> s</source>
+            <translation> s</translation>
+        </message>
+        <message>
+            <source>Repeat both poses</source>
+            <translation>Beide Posen wiederholen</translation>
+        </message>
+        <message>
+            <source>The pose that was held would not be used.</source>
+            <translation>Die gehaltene Pose ginge verloren.</translation>
+        </message>
+        <message>
+            <source>. Remedy: %1.</source>
+            <translation>. Abhilfe: %1.</translation>
+        </message>
+        <message>
+            <source>between poses</source>
+            <translation>zwischen den Posen</translation>
+        </message>
+        <message>
+            <source>%1 from 90°, held within %2.</source>
+            <translation>%1 von 90°, gehalten auf %2.</translation>
+        </message>
+        <message>
+            <source> The poses were not a right angle apart: each may be %1 off.</source>
+            <translation> Die Posen standen nicht im rechten Winkel: Jede kann %1 daneben sein.</translation>
+        </message>
+        <message>
+            <source> It moved while it was held.</source>
+            <translation> Es hat sich beim Halten bewegt.</translation>
+        </message>
+        <message>
+            <source> It reads %1 g at rest: calibrate its range, or the volume was moved.</source>
+            <translation> In Ruhe zeigt er %1 g: Messbereich kalibrieren, oder der Pegel wurde verstellt.</translation>
+        </message>
+        <message>
+            <source>sits %1 from how the rig shows it</source>
+            <translation>sitzt %1 anders, als das Rig zeigt</translation>
+        </message>
+        <message>
+            <source>attempt before: %1</source>
+            <translation>Versuch davor: %1</translation>
+        </message>
+        <message>
+            <source>%1: %2, then %3</source>
+            <translation>%1: %2, dann %3</translation>
+        </message>
+        <message>
+            <source>Range never calibrated: %1. Their directions may be several degrees off.</source>
+            <translation>Messbereich nie kalibriert: %1. Die Richtungen können mehrere Grad daneben sein.</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <translation>, </translation>
+        </message>
+        <message>
+            <source>Limb</source>
+            <translation>Glied</translation>
+        </message>
+        <message>
+            <source>How</source>
+            <translation>Wie</translation>
+        </message>
+        <message>
+            <source>First pose</source>
+            <translation>Erste Pose</translation>
+        </message>
+        <message>
+            <source>Second pose</source>
+            <translation>Zweite Pose</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Urteil</translation>
+        </message>
+        <message>
+            <source>Continue</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Zurück</translation>
+        </message>
+        <message>
+            <source>Skip the wait</source>
+            <translation>Nicht warten</translation>
+        </message>
+        <message>
+            <source>Take the stillest second</source>
+            <translation>Die ruhigste Sekunde nehmen</translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Wird berechnet…</translation>
+        </message>
+        <message>
+            <source>Save %1</source>
+            <translation>%1 speichern</translation>
+        </message>
+        <message>
+            <source>Back to the verdict</source>
+            <translation>Zurück zum Urteil</translation>
+        </message>
+        <message>
+            <source>%1 %2; %3.</source>
+            <translation>%1 %2; %3.</translation>
+        </message>
+        <message>
+            <source>Check: hold &quot;%1&quot; again</source>
+            <translation>Prüfen: „%1“ noch einmal halten</translation>
+        </message>
+        <message>
+            <source>held within %1</source>
+            <translation>gehalten auf %1</translation>
+        </message>
+        <message>
+            <source>Not checked</source>
+            <translation>Nicht geprüft</translation>
+        </message>
+        <message>
+            <source>At most %1 off</source>
+            <translation>Höchstens %1 daneben</translation>
+        </message>
+        <message>
+            <source>Angle between gravity as each sensor now sees it on its limb and as the pose asks for. It holds the wearer&apos;s own inexactness too.</source>
+            <translation>Winkel zwischen der Schwerkraft, wie jeder Sensor sie jetzt auf seinem Glied sieht, und wie die Pose sie verlangt. Die Ungenauigkeit der Person steckt mit darin.</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::LimbWizardModel</name>
+        <message>
+            <source>This rig names no poses. Add calibration groups to its file.</source>
+            <translation>Dieses Rig nennt keine Posen. In seiner Datei Kalibriergruppen ergänzen.</translation>
+        </message>
+        <message>
+            <source>Choose at least one sensor.</source>
+            <translation>Mindestens einen Sensor wählen.</translation>
+        </message>
+        <message>
+            <source>No signal comes in. Open a device in Capture.</source>
+            <translation>Es kommt kein Signal. Unter „Aufnehmen“ ein Gerät öffnen.</translation>
+        </message>
+        <message>
+            <source>The device died. Go back and start again when it is there.</source>
+            <translation>Das Gerät ist ausgefallen. Zurückgehen und neu beginnen, wenn es wieder da ist.</translation>
+        </message>
+        <message>
+            <source>Hold still: it goes on by itself.</source>
+            <translation>Stillhalten: Es geht von selbst weiter.</translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Wird berechnet…</translation>
+        </message>
+        <message>
+            <source>Saving…</source>
+            <translation>Wird gespeichert…</translation>
+        </message>
+        <message>
+            <source>Nothing is accepted yet.</source>
+            <translation>Noch ist nichts angenommen.</translation>
+        </message>
+        <message>
+            <source>Computing the mounting</source>
+            <translation>Der Sitz wird berechnet</translation>
+        </message>
+        <message>
+            <source>Checking the mounting</source>
+            <translation>Der Sitz wird geprüft</translation>
+        </message>
+    </context>
+    <context>
         <name>limbwave::ui::LiveModel</name>
         <message>
             <source>Opening %1</source>
@@ -1165,6 +1930,33 @@
         </message>
     </context>
     <context>
+        <name>limbwave::ui::MarkerModel</name>
+        <message>
+            <source>Marker %1</source>
+            <translation>Marke %1</translation>
+        </message>
+        <message>
+            <source>set marker</source>
+            <translation>Marke setzen</translation>
+        </message>
+        <message>
+            <source>rename marker</source>
+            <translation>Marke umbenennen</translation>
+        </message>
+        <message>
+            <source>move marker</source>
+            <translation>Marke verschieben</translation>
+        </message>
+        <message>
+            <source>delete marker</source>
+            <translation>Marke löschen</translation>
+        </message>
+        <message>
+            <source>The marker is not saved</source>
+            <translation>Die Marke ist nicht gespeichert</translation>
+        </message>
+    </context>
+    <context>
         <name>limbwave::ui::MarkerPanel</name>
         <message>
             <source>Markers</source>
@@ -1181,6 +1973,38 @@
         <message>
             <source>Set a marker at this moment of the recording (M)</source>
             <translation>An dieser Stelle der Aufnahme eine Marke setzen (M)</translation>
+        </message>
+        <message>
+            <source>Rename the marker (F2)</source>
+            <translation>Die Marke umbenennen (F2)</translation>
+        </message>
+        <message>
+            <source>Delete the marker (Delete)</source>
+            <translation>Die Marke löschen (Entf)</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Double click to type another time</source>
+            <translation>Doppelklick: eine andere Zeit eintippen</translation>
+        </message>
+        <message>
+            <source>Press M while recording. In the signal below, double click at the upper edge.</source>
+            <translation>Während der Aufnahme M drücken. Unten im Signal: Doppelklick am oberen Rand.</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is not a time.</source>
+            <translation>„%1“ ist keine Zeit.</translation>
+        </message>
+        <message>
+            <source>Write it like 1:07.3 or 67.3.</source>
+            <translation>Zum Beispiel 1:07,3 oder 67,3 schreiben.</translation>
         </message>
     </context>
     <context>
@@ -1210,6 +2034,29 @@
         </message>
     </context>
     <context>
+        <name>limbwave::ui::MovementBars</name>
+        <message>
+            <source>waiting</source>
+            <translation>wartet</translation>
+        </message>
+        <message>
+            <source>no signal</source>
+            <translation>kein Signal</translation>
+        </message>
+        <message>
+            <source>moves: %1</source>
+            <translation>bewegt: %1</translation>
+        </message>
+        <message>
+            <source>still: %1</source>
+            <translation>still: %1</translation>
+        </message>
+        <message>
+            <source>still below %1</source>
+            <translation>still unter %1</translation>
+        </message>
+    </context>
+    <context>
         <name>limbwave::ui::OverviewPanel</name>
         <message>
             <source>Reading %1</source>
@@ -1231,10 +2078,6 @@
             <translation>Aufgenommenes Signal</translation>
         </message>
         <message>
-            <source>Wheel: zoom. Drag: move. Double click: show all.</source>
-            <translation>Rad: vergrößern. Ziehen: verschieben. Doppelklick: alles zeigen.</translation>
-        </message>
-        <message>
             <source>The take is empty.</source>
             <translation>Der Take ist leer.</translation>
         </message>
@@ -1245,6 +2088,14 @@
         <message>
             <source> s</source>
             <translation> s</translation>
+        </message>
+        <message>
+            <source>%1 at %2. Drag: move. Double click: rename. Delete: delete.</source>
+            <translation>%1 bei %2. Ziehen: verschieben. Doppelklick: umbenennen. Entf: löschen.</translation>
+        </message>
+        <message>
+            <source>Wheel: zoom. Drag: move. Double click: show all; at the upper edge: set a marker there.</source>
+            <translation>Rad: Zoom. Ziehen: verschieben. Doppelklick: alles zeigen; am oberen Rand: dort eine Marke setzen.</translation>
         </message>
     </context>
     <context>
@@ -1291,6 +2142,286 @@
         <message>
             <source>%1 of take; decoded in %2 s, solved in %3 s</source>
             <translation>%1 Take; dekodiert in %2 s, berechnet in %3 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::RangeTurnPage</name>
+        <message>
+            <source>Start turning</source>
+            <translation>Jetzt drehen</translation>
+        </message>
+        <message>
+            <source>Slowly, about ten seconds for a full turn.</source>
+            <translation>Langsam, etwa zehn Sekunden für eine volle Drehung.</translation>
+        </message>
+        <message>
+            <source>%1: no signal</source>
+            <translation>%1: kein Signal</translation>
+        </message>
+        <message>
+            <source>Its readings stopped. Check its cable and plug; what was turned so far is kept.</source>
+            <translation>Die Messwerte sind ausgeblieben. Kabel und Stecker prüfen; was bisher gedreht wurde, bleibt erhalten.</translation>
+        </message>
+        <message>
+            <source>Slower</source>
+            <translation>Langsamer</translation>
+        </message>
+        <message>
+            <source>Only slow turning shows gravity alone. What is too fast is left out.</source>
+            <translation>Nur langsames Drehen zeigt die Schwerkraft allein. Was zu schnell ist, zählt nicht.</translation>
+        </message>
+        <message>
+            <source>Smoother</source>
+            <translation>Ruhiger</translation>
+        </message>
+        <message>
+            <source>Jerks and knocks are left out. Turn it like a full glass.</source>
+            <translation>Rucke und Stöße zählen nicht. Wie ein volles Glas drehen.</translation>
+        </message>
+        <message>
+            <source>Enough</source>
+            <translation>Genug</translation>
+        </message>
+        <message>
+            <source>Finish now, or fill the last gaps for an even better result.</source>
+            <translation>Jetzt beenden oder die letzten Lücken füllen; das Ergebnis wird dann noch besser.</translation>
+        </message>
+        <message>
+            <source>Complete</source>
+            <translation>Vollständig</translation>
+        </message>
+        <message>
+            <source>Go on turning</source>
+            <translation>Weiterdrehen</translation>
+        </message>
+        <message>
+            <source>Every direction was seen. Press Enter to finish.</source>
+            <translation>Jede Richtung war dabei. Eingabetaste: beenden.</translation>
+        </message>
+        <message>
+            <source>Every direction was seen; a few more steady seconds are needed.</source>
+            <translation>Jede Richtung war dabei; es fehlen noch einige ruhige Sekunden.</translation>
+        </message>
+        <message>
+            <source>Turn: %1</source>
+            <translation>Drehen: %1</translation>
+        </message>
+        <message>
+            <source>%1 has enough; these directions would make it better.</source>
+            <translation>%1 hat genug; diese Richtungen machen es besser.</translation>
+        </message>
+        <message>
+            <source>Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.</source>
+            <translation>Den blauen Pfeil des Kastens nach oben bringen; auf der Karte: den weißen Punkt in den blauen Ring.</translation>
+        </message>
+        <message>
+            <source>Start over</source>
+            <translation>Von vorn</translation>
+        </message>
+        <message>
+            <source>Show this sensor; once more: the one in most need</source>
+            <translation>Diesen Sensor zeigen; noch einmal: den bedürftigsten</translation>
+        </message>
+        <message>
+            <source>%1  no signal</source>
+            <translation>%1  kein Signal</translation>
+        </message>
+        <message>
+            <source>%1  %2 %</source>
+            <translation>%1  %2 %</translation>
+        </message>
+        <message>
+            <source>The device is back</source>
+            <translation>Das Gerät ist wieder da</translation>
+        </message>
+        <message>
+            <source>Signal lost</source>
+            <translation>Signal weg</translation>
+        </message>
+        <message>
+            <source>Start over to turn the sensors once more.</source>
+            <translation>„Von vorn“, um die Sensoren noch einmal zu drehen.</translation>
+        </message>
+        <message>
+            <source>The device stopped sending. Plug it in again and open it in Capture, then start over.</source>
+            <translation>Das Gerät sendet nicht mehr. Wieder einstecken, unter „Aufnehmen“ öffnen, dann von vorn.</translation>
+        </message>
+        <message>
+            <source>Or finish with what was turned until then; it is kept.</source>
+            <translation>Oder mit dem beenden, was bis dahin gedreht wurde; es bleibt erhalten.</translation>
+        </message>
+        <message>
+            <source>Nothing had been turned yet.</source>
+            <translation>Noch war nichts gedreht.</translation>
+        </message>
+        <message>
+            <source>The device is gone: open it in Capture first.</source>
+            <translation>Das Gerät ist weg: zuerst unter „Aufnehmen“ öffnen.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;%1 %&lt;/b&gt; of the sphere, %2 % needed&lt;br&gt;&lt;b&gt;%3 s&lt;/b&gt; steady, %4 s needed&lt;br&gt;%5 turned</source>
+            <translation>&lt;b&gt;%1 %&lt;/b&gt; der Kugel, nötig %2 %&lt;br&gt;&lt;b&gt;%3 s&lt;/b&gt; ruhig, nötig %4 s&lt;br&gt;%5 gedreht</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::RangeWizard</name>
+        <message>
+            <source>RMS off 1 g</source>
+            <translation>RMS neben 1 g</translation>
+        </message>
+        <message>
+            <source>Ellipsoid is better: %1 against %2 by extremes.</source>
+            <translation>Ellipsoid ist besser: %1 gegen %2 aus Extremwerten.</translation>
+        </message>
+        <message>
+            <source>Extremes are better: %1 against %2 by ellipsoid.</source>
+            <translation>Extremwerte sind besser: %1 gegen %2 mit Ellipsoid.</translation>
+        </message>
+        <message>
+            <source>%1 % of the sphere, %2 s steady</source>
+            <translation>%1 % der Kugel, %2 s ruhig</translation>
+        </message>
+        <message>
+            <source>attempt before: %1</source>
+            <translation>Versuch davor: %1</translation>
+        </message>
+        <message>
+            <source>Calibrate range</source>
+            <translation>Messbereich kalibrieren</translation>
+        </message>
+        <message>
+            <source>Which sensors?</source>
+            <translation>Welche Sensoren?</translation>
+        </message>
+        <message>
+            <source>Range calibration finds each sensor&apos;s zero and scale from gravity. It is done &lt;b&gt;once in a sensor&apos;s life&lt;/b&gt;, not on the body, and takes about a minute.</source>
+            <translation>Hier werden Nullpunkt und Maßstab jedes Sensors aus der Schwerkraft gefunden. Das geschieht &lt;b&gt;einmal im Leben eines Sensors&lt;/b&gt;, nicht am Körper, und dauert etwa eine Minute.</translation>
+        </message>
+        <message>
+            <source>Several sensors can be calibrated at once: fix them in one small box so that none can slip, and turn the box.</source>
+            <translation>Mehrere Sensoren gehen zugleich: in einem kleinen Kasten so befestigen, dass keiner rutscht, und den Kasten drehen.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Hold the box in both hands&lt;/b&gt;, cables slack. Sit down: it takes about a minute.</source>
+            <translation>&lt;b&gt;Den Kasten in beide Hände nehmen&lt;/b&gt;, Kabel locker. Hinsetzen: Es dauert etwa eine Minute.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Turn it slowly until every face has looked up once&lt;/b&gt;, then every edge and corner between them.</source>
+            <translation>&lt;b&gt;Langsam drehen, bis jede Fläche einmal oben war&lt;/b&gt;, dann jede Kante und Ecke dazwischen.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Slowly&lt;/b&gt; means about ten seconds for a full turn, without knocks. Only steady turning counts; what is too fast is left out by itself.</source>
+            <translation>&lt;b&gt;Langsam&lt;/b&gt; heißt etwa zehn Sekunden für eine volle Drehung, ohne Stöße. Nur ruhiges Drehen zählt; zu Schnelles fällt von selbst weg.</translation>
+        </message>
+        <message>
+            <source>The map fills up as you turn. It always names the direction that is missing most.</source>
+            <translation>Die Karte füllt sich beim Drehen. Sie nennt immer die Richtung, die am meisten fehlt.</translation>
+        </message>
+        <message>
+            <source>Sensors</source>
+            <translation>Sensoren</translation>
+        </message>
+        <message>
+            <source>How</source>
+            <translation>Wie</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>Drehen</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Urteil</translation>
+        </message>
+        <message>
+            <source>Continue</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>Start turning</source>
+            <translation>Jetzt drehen</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Zurück</translation>
+        </message>
+        <message>
+            <source>Finish</source>
+            <translation>Beenden</translation>
+        </message>
+        <message>
+            <source>Finish early</source>
+            <translation>Vorzeitig beenden</translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Wird berechnet…</translation>
+        </message>
+        <message>
+            <source>Save %1</source>
+            <translation>%1 speichern</translation>
+        </message>
+        <message>
+            <source>What was turned until now would not be used.</source>
+            <translation>Was bis jetzt gedreht wurde, ginge verloren.</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::RangeWizardModel</name>
+        <message>
+            <source>Choose at least one sensor.</source>
+            <translation>Mindestens einen Sensor wählen.</translation>
+        </message>
+        <message>
+            <source>No signal comes in. Open a device in Capture.</source>
+            <translation>Es kommt kein Signal. Unter „Aufnehmen“ ein Gerät öffnen.</translation>
+        </message>
+        <message>
+            <source>The device died before anything was turned. Start over when it is back.</source>
+            <translation>Das Gerät fiel aus, bevor etwas gedreht war. Von vorn, wenn es wieder da ist.</translation>
+        </message>
+        <message>
+            <source>Turn the sensors first.</source>
+            <translation>Zuerst die Sensoren drehen.</translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Wird berechnet…</translation>
+        </message>
+        <message>
+            <source>Saving…</source>
+            <translation>Wird gespeichert…</translation>
+        </message>
+        <message>
+            <source>Nothing is accepted yet.</source>
+            <translation>Noch ist nichts angenommen.</translation>
+        </message>
+        <message>
+            <source>Computing the range calibration</source>
+            <translation>Der Messbereich wird berechnet</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::RateGauge</name>
+        <message>
+            <source>%1°/s</source>
+            <translation>%1°/s</translation>
+        </message>
+        <message>
+            <source>No signal</source>
+            <translation>Kein Signal</translation>
+        </message>
+        <message>
+            <source>Too fast: %1</source>
+            <translation>Zu schnell: %1</translation>
+        </message>
+        <message>
+            <source>Jerky: %1</source>
+            <translation>Ruckelt: %1</translation>
+        </message>
+        <message>
+            <source>Steady: %1</source>
+            <translation>Ruhig: %1</translation>
         </message>
     </context>
     <context>
@@ -1389,6 +2520,13 @@
         </message>
     </context>
     <context>
+        <name>limbwave::ui::SaveQueue</name>
+        <message>
+            <source>Saving the take</source>
+            <translation>Der Take wird gespeichert</translation>
+        </message>
+    </context>
+    <context>
         <name>limbwave::ui::ScopeView</name>
         <message>
             <source>Scope of both channels</source>
@@ -1425,6 +2563,40 @@
         <message>
             <source>no signal</source>
             <translation>kein Signal</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::SensorCube</name>
+        <message>
+            <source>How the sensor is held</source>
+            <translation>Wie der Sensor gehalten wird</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::SensorRow</name>
+        <message>
+            <source>%1: range %2, mounting %3</source>
+            <translation>%1: Messbereich %2, Sitz %3</translation>
+        </message>
+        <message>
+            <source>Calibrate</source>
+            <translation>Kalibrieren</translation>
+        </message>
+        <message>
+            <source>Repeat</source>
+            <translation>Wiederholen</translation>
+        </message>
+        <message>
+            <source>Range of %1 only</source>
+            <translation>Nur den Messbereich von %1</translation>
+        </message>
+        <message>
+            <source>Mounting of %1 only</source>
+            <translation>Nur den Sitz von %1</translation>
+        </message>
+        <message>
+            <source>The rig names no poses for this sensor.</source>
+            <translation>Das Rig nennt für diesen Sensor keine Posen.</translation>
         </message>
     </context>
     <context>
@@ -1577,6 +2749,29 @@
         </message>
     </context>
     <context>
+        <name>limbwave::ui::SignalStrip</name>
+        <message>
+            <source>Accelerations of the newest seconds</source>
+            <translation>Beschleunigungen der letzten Sekunden</translation>
+        </message>
+        <message>
+            <source>%1 g</source>
+            <translation>%1 g</translation>
+        </message>
+        <message>
+            <source>No readings yet</source>
+            <translation>Noch keine Messwerte</translation>
+        </message>
+        <message>
+            <source> g</source>
+            <translation> g</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+    </context>
+    <context>
         <name>limbwave::ui::SolveModel</name>
         <message>
             <source>Reading the solve</source>
@@ -1624,14 +2819,6 @@
         <message>
             <source>Capture a take</source>
             <translation>Einen Take aufnehmen</translation>
-        </message>
-        <message>
-            <source>Progress of solving</source>
-            <translation>Fortschritt der Berechnung</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
         </message>
         <message>
             <source>Live</source>
@@ -1718,16 +2905,8 @@
             <translation>Wird berechnet …</translation>
         </message>
         <message>
-            <source>Solving… %1</source>
-            <translation>Wird berechnet … %1</translation>
-        </message>
-        <message>
-            <source>Solving… %1, %2 left</source>
-            <translation>Wird berechnet … %1, noch %2</translation>
-        </message>
-        <message>
-            <source>%1: %2 of motion, %3 frames at %4 Hz, %5 smoothing</source>
-            <translation>%1: %2 Bewegung, %3 Bilder mit %4 Hz, Glättung: %5</translation>
+            <source>%1 of motion, %2 frames at %3 Hz, smoothing: %4</source>
+            <translation>%1 Bewegung, %2 Bilder mit %3 Hz, Glättung: %4</translation>
         </message>
     </context>
     <context>
@@ -1745,7 +2924,7 @@
             <translation>Gerät</translation>
         </message>
         <message>
-            <source>Where the signal comes from: a sound card's line input, or the simulator</source>
+            <source>Where the signal comes from: a sound card&apos;s line input, or the simulator</source>
             <translation>Woher das Signal kommt: der Line-Eingang einer Soundkarte oder der Simulator</translation>
         </message>
         <message>
@@ -1769,8 +2948,63 @@
             <translation>Wählen Sie ein Gerät</translation>
         </message>
         <message>
-            <source>%1, %2 bit</source>
-            <translation>%1, %2 Bit</translation>
+            <source>%1 (file %2)</source>
+            <translation>%1 (Datei %2)</translation>
+        </message>
+        <message>
+            <source>What is worn where: %1</source>
+            <translation>Was wo getragen wird: %1</translation>
+        </message>
+        <message>
+            <source>Stop recording to choose another rig</source>
+            <translation>Die Aufnahme beenden, um ein anderes Rig zu wählen</translation>
+        </message>
+        <message>
+            <source>Stop recording to choose another device</source>
+            <translation>Die Aufnahme beenden, um ein anderes Gerät zu wählen</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>Format</translation>
+        </message>
+        <message>
+            <source>Sampling rate, sample format and inputs: %1</source>
+            <translation>Abtastrate, Format und Eingänge: %1</translation>
+        </message>
+        <message>
+            <source>Sampling rate, sample format and inputs</source>
+            <translation>Abtastrate, Format und Eingänge</translation>
+        </message>
+        <message>
+            <source>Stop recording to choose another format</source>
+            <translation>Die Aufnahme beenden, um ein anderes Format zu wählen</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Sampling rate</source>
+            <translation>Abtastrate</translation>
+        </message>
+        <message>
+            <source>Sample format</source>
+            <translation>Format der Abtastwerte</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Eingänge</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::SphereMap</name>
+        <message>
+            <source>Directions that were visited</source>
+            <translation>Besuchte Richtungen</translation>
+        </message>
+        <message>
+            <source>%1 of %2 directions</source>
+            <translation>%1 von %2 Richtungen</translation>
         </message>
     </context>
     <context>
@@ -1790,6 +3024,195 @@
         <message>
             <source>Take: %1</source>
             <translation>Take: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::StretchModel</name>
+        <message>
+            <source>Reading the signals of %1</source>
+            <translation>Die Signale von %1 werden gelesen</translation>
+        </message>
+        <message>
+            <source>Reading was cancelled.</source>
+            <translation>Das Lesen wurde abgebrochen.</translation>
+        </message>
+        <message>
+            <source>Sensors are turned</source>
+            <translation>Sensoren werden gedreht</translation>
+        </message>
+        <message>
+            <source>Pose %1: %2</source>
+            <translation>Pose %1: %2</translation>
+        </message>
+        <message>
+            <source>Open a take first.</source>
+            <translation>Zuerst einen Take öffnen.</translation>
+        </message>
+        <message>
+            <source>The signals are still being read.</source>
+            <translation>Die Signale werden noch gelesen.</translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Wird berechnet…</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; holds no readings. Choose another stretch.</source>
+            <translation>„%1“ enthält keine Messwerte. Einen anderen Abschnitt wählen.</translation>
+        </message>
+        <message>
+            <source>The two poses overlap. Move them apart.</source>
+            <translation>Die beiden Posen überschneiden sich. Auseinanderziehen.</translation>
+        </message>
+        <message>
+            <source>Computing the range calibration</source>
+            <translation>Der Messbereich wird berechnet</translation>
+        </message>
+        <message>
+            <source>Computing the mounting</source>
+            <translation>Der Sitz wird berechnet</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::StretchPage</name>
+        <message>
+            <source>Other take</source>
+            <translation>Anderer Take</translation>
+        </message>
+        <message>
+            <source>Show the verdict</source>
+            <translation>Urteil zeigen</translation>
+        </message>
+        <message>
+            <source>Calibrate from a recording</source>
+            <translation>Aus einer Aufnahme kalibrieren</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Esc</source>
+            <translation>Esc</translation>
+        </message>
+        <message>
+            <source>Take</source>
+            <translation>Take</translation>
+        </message>
+        <message>
+            <source>&amp;Movement</source>
+            <translation>&amp;Bewegung</translation>
+        </message>
+        <message>
+            <source>Movement</source>
+            <translation>Bewegung</translation>
+        </message>
+        <message>
+            <source>&amp;Shown sensor</source>
+            <translation>&amp;Gezeigter Sensor</translation>
+        </message>
+        <message>
+            <source>Shown sensor</source>
+            <translation>Gezeigter Sensor</translation>
+        </message>
+        <message>
+            <source> s</source>
+            <translation> s</translation>
+        </message>
+        <message>
+            <source>Begin</source>
+            <translation>Anfang</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>Ende</translation>
+        </message>
+        <message>
+            <source>Take what is visible</source>
+            <translation>Sichtbares nehmen</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>von</translation>
+        </message>
+        <message>
+            <source>to</source>
+            <translation>bis</translation>
+        </message>
+        <message>
+            <source>Browse…</source>
+            <translation>Durchsuchen…</translation>
+        </message>
+        <message>
+            <source>Choose a take</source>
+            <translation>Einen Take wählen</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <source>Range: sensors are turned</source>
+            <translation>Messbereich: Sensoren werden gedreht</translation>
+        </message>
+        <message>
+            <source>Mounting: two poses of %1</source>
+            <translation>Sitz: zwei Posen, %1</translation>
+        </message>
+        <message>
+            <source>Open a take: its signals appear here.</source>
+            <translation>Einen Take öffnen: Seine Signale erscheinen hier.</translation>
+        </message>
+        <message>
+            <source>Reading the signals…</source>
+            <translation>Die Signale werden gelesen…</translation>
+        </message>
+        <message>
+            <source>The same procedure as with a running capture. Nothing is saved before you have seen the verdict.</source>
+            <translation>Dasselbe Verfahren wie bei laufender Aufnahme. Nichts wird gespeichert, bevor das Urteil zu sehen war.</translation>
+        </message>
+        <message>
+            <source>Own choice</source>
+            <translation>Eigene Wahl</translation>
+        </message>
+        <message>
+            <source>The whole take</source>
+            <translation>Der ganze Take</translation>
+        </message>
+        <message>
+            <source>%1 s long</source>
+            <translation>%1 s lang</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::StretchPlot</name>
+        <message>
+            <source>Accelerations of the take</source>
+            <translation>Beschleunigungen des Takes</translation>
+        </message>
+        <message>
+            <source>Drag a stretch or its ends. Wheel: zoom. Drag beside it: move. Double click: show all.</source>
+            <translation>Einen Abschnitt oder seine Enden ziehen. Rad: Zoom. Daneben ziehen: verschieben. Doppelklick: alles zeigen.</translation>
+        </message>
+        <message>
+            <source> s</source>
+            <translation> s</translation>
+        </message>
+        <message>
+            <source>%1 g</source>
+            <translation>%1 g</translation>
+        </message>
+        <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
+            <source>z</source>
+            <translation>z</translation>
         </message>
     </context>
     <context>
@@ -2003,6 +3426,33 @@
         </message>
     </context>
     <context>
+        <name>limbwave::ui::VerdictRow</name>
+        <message>
+            <source>Repeat this sensor only</source>
+            <translation>Nur diesen Sensor wiederholen</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>Verwerfen</translation>
+        </message>
+        <message>
+            <source>Accepted</source>
+            <translation>Angenommen</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>Annehmen</translation>
+        </message>
+        <message>
+            <source>Needs a running capture</source>
+            <translation>Braucht eine laufende Aufnahme</translation>
+        </message>
+        <message>
+            <source>Discarded</source>
+            <translation>Verworfen</translation>
+        </message>
+    </context>
+    <context>
         <name>limbwave::ui::ViewerWidget</name>
         <message>
             <source>Viewer</source>
@@ -2058,6 +3508,33 @@
         <message>
             <source>Try it without hardware</source>
             <translation>Ohne Hardware ausprobieren</translation>
+        </message>
+    </context>
+    <context>
+        <name>limbwave::ui::WizardFrame</name>
+        <message>
+            <source>Leave</source>
+            <translation>Verlassen</translation>
+        </message>
+        <message>
+            <source>Stay</source>
+            <translation>Bleiben</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Zurück</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Esc</source>
+            <translation>Esc</translation>
+        </message>
+        <message>
+            <source>Enter</source>
+            <translation>Eingabe</translation>
         </message>
     </context>
     <context>

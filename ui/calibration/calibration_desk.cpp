@@ -1,12 +1,14 @@
 #include "calibration/calibration_desk.h"
 
+#include <QCoreApplication>
 #include <QDateTime>
+#include <QPointer>
 #include <algorithm>
 #include <utility>
 
 #include "base/files.h"
+#include "calibration/calibration_command.h"
 #include "calibration/calibration_words.h"
-#include "calibration/take_calibration_command.h"
 
 namespace limbwave::ui {
 
@@ -129,44 +131,104 @@ void CalibrationDesk::refresh() {
       });
 }
 
-void CalibrationDesk::save(CalibrationChange change, std::function<void(const Status&)> done) {
-  if (!has_rig()) {
-    done(Error{"the capture was closed meanwhile", "", "open the device again"});
-    return;
+CalibrationTarget CalibrationDesk::target() const {
+  CalibrationTarget target;
+  if (subject() == Subject::kLive) {
+    target.kind = CalibrationTarget::Kind::kLive;
+    target.rig = rig().name;
+  } else if (subject() == Subject::kTake) {
+    target.kind = CalibrationTarget::Kind::kTake;
+    target.rig = rig().name;
+    target.take = context_.document().take()->folder;
   }
-  calibrate::RigCalibration next = calibration_;
-  std::vector<std::pair<std::string, calibrate::SensorCalibration>> ranges;
+  return target;
+}
+
+bool CalibrationDesk::is_there(const CalibrationTarget& target) const {
+  switch (target.kind) {
+    case CalibrationTarget::Kind::kLive:
+      return source_.running() && source_.rig().name == target.rig;
+    case CalibrationTarget::Kind::kTake:
+      return context_.document().is_open() && context_.document().take()->folder == target.take;
+    case CalibrationTarget::Kind::kNone:
+      break;
+  }
+  return false;
+}
+
+std::optional<calibrate::RigCalibration> CalibrationDesk::in_use(const CalibrationTarget& target) const {
+  if (!is_there(target)) {
+    return std::nullopt;
+  }
+  return target.kind == CalibrationTarget::Kind::kLive ? source_.calibration()
+                                                       : context_.document().take()->info.calibration;
+}
+
+bool CalibrationDesk::put_in_use(const CalibrationTarget& target,
+                                 const std::optional<calibrate::RigCalibration>& calibration) {
+  if (!is_there(target)) {
+    return false;
+  }
+  if (target.kind == CalibrationTarget::Kind::kLive) {
+    source_.set_calibration(calibration ? *calibration : calibrate::nominal_calibration(source_.rig()));
+    return true;
+  }
+  take::Take take = *context_.document().take();
+  take.info.calibration = calibration;
+  context_.document().set(take);
+  context_.saves().add(tr("The calibration is not saved in the take"),
+                       [take = std::move(take)] { return take::save_info(take); });
+  return true;
+}
+
+void CalibrationDesk::change_library(const std::shared_ptr<LibraryEntry>& entry, bool in) {
+  context_.saves().add(
+      in ? tr("The calibration is not saved in the library") : tr("The calibration is not taken out of the library"),
+      [entry, in, library = library_, desk = QPointer<CalibrationDesk>(this)] {
+        const Status status = in ? entry->save(library) : entry->remove(library);
+        // Only this thread's own copy of the pointer is touched here.
+        QMetaObject::invokeMethod(qApp, [desk] {
+          if (desk) {
+            desk->refresh();
+          }
+        });
+        return status;
+      });
+}
+
+void CalibrationDesk::save(CalibrationChange change, const body::Rig& rig, const CalibrationTarget& target,
+                           std::function<void(const Status&)> done) {
+  const bool is_range = !change.ranges.empty();
+  auto entry = std::make_shared<LibraryEntry>();
   for (const auto& [sensor, range] : change.ranges) {
-    const auto s = static_cast<std::size_t>(sensor);
-    next.sensors.at(s) = range;
-    ranges.emplace_back(take::sensor_key(rig(), rig().accelerometers.at(s)), range);
+    entry->ranges.emplace_back(take::sensor_key(rig, rig.accelerometers.at(static_cast<std::size_t>(sensor))), range);
   }
-  for (const calibrate::MountCalibration& mount : change.mounts) {
-    const auto found = std::find_if(next.mounts.begin(), next.mounts.end(),
-                                    [&](const auto& candidate) { return candidate.sensor == mount.sensor; });
-    if (found != next.mounts.end()) {
-      *found = mount;
-    }
-  }
+  entry->mounts = change.mounts;
+  entry->rig = rig.name;
+  // Mountings belong to a person: of the take that they were made from, else as
+  // typed.
+  entry->subject = target.kind == CalibrationTarget::Kind::kTake && is_there(target)
+                       ? context_.document().take()->info.subject
+                       : wearer().toStdString();
   context_.jobs().start(
-      tr("Saving the calibration"), this,
-      [library = library_, ranges = std::move(ranges), mounts = std::move(change.mounts), rig_name = rig().name,
-       subject = wearer().toStdString()](const Progress&) -> Status {
-        for (const auto& [key, range] : ranges) {
-          if (const auto saved = library.save_sensor(key, range); !saved) {
-            return saved.error();
-          }
-        }
-        if (!mounts.empty()) {
-          if (const auto saved = library.save_mounts(rig_name, subject, mounts); !saved) {
-            return saved.error();
-          }
-        }
-        return {};
-      },
-      [this, next = std::move(next), done = std::move(done)](const Status& status) {
+      tr("Saving the calibration"), this, [library = library_, entry](const Progress&) { return entry->save(library); },
+      [this, entry, rig, target, is_range, change = std::move(change), done = std::move(done)](const Status& status) {
         if (status) {
-          apply(next);
+          const std::optional<calibrate::RigCalibration> before = in_use(target);
+          calibrate::RigCalibration after = before ? *before : calibrate::nominal_calibration(rig);
+          for (const auto& [sensor, range] : change.ranges) {
+            after.sensors.at(static_cast<std::size_t>(sensor)) = range;
+          }
+          for (const calibrate::MountCalibration& mount : change.mounts) {
+            const auto found = std::find_if(after.mounts.begin(), after.mounts.end(),
+                                            [&](const auto& candidate) { return candidate.sensor == mount.sensor; });
+            if (found != after.mounts.end()) {
+              *found = mount;
+            }
+          }
+          context_.undo_stack().push(
+              new CalibrationCommand(*this, is_there(target) ? target : CalibrationTarget{}, before, std::move(after),
+                                     entry, is_range ? tr("range calibration") : tr("mounting calibration")));
         }
         refresh();
         done(status);
@@ -174,10 +236,9 @@ void CalibrationDesk::save(CalibrationChange change, std::function<void(const St
 }
 
 void CalibrationDesk::apply(const calibrate::RigCalibration& calibration) {
-  if (subject() == Subject::kLive) {
-    source_.set_calibration(calibration);
-  } else if (subject() == Subject::kTake) {
-    context_.undo_stack().push(new TakeCalibrationCommand(context_, calibration));
+  if (has_rig()) {
+    context_.undo_stack().push(
+        new CalibrationCommand(*this, target(), in_use(target()), calibration, nullptr, tr("choice of calibration")));
   }
 }
 

@@ -12,37 +12,40 @@
 namespace limbwave::ui {
 
 AdviceText advice_text(const RangeSensorState& state, const QString& sensor, bool all_enough) {
-  using Page = RangeTurnPage;
   switch (state.advice) {
     case RangeAdvice::kWaiting:
-      return {Page::tr("Start turning"), Page::tr("Slowly, about ten seconds for a full turn.")};
+      return {RangeTurnPage::tr("Start turning"), RangeTurnPage::tr("Slowly, about ten seconds for a full turn.")};
     case RangeAdvice::kNoSignal:
-      return {Page::tr("%1: no signal").arg(sensor),
-              Page::tr("Its readings stopped. Check its cable and plug; what was turned so far is kept.")};
+      return {RangeTurnPage::tr("%1: no signal").arg(sensor),
+              RangeTurnPage::tr("Its readings stopped. Check its cable and plug; what was turned so far is kept.")};
     case RangeAdvice::kSlower:
-      return {Page::tr("Slower"), Page::tr("Only slow turning shows gravity alone. What is too fast is left out.")};
+      return {RangeTurnPage::tr("Slower"),
+              RangeTurnPage::tr("Only slow turning shows gravity alone. What is too fast is left out.")};
     case RangeAdvice::kSmoother:
-      return {Page::tr("Smoother"), Page::tr("Jerks and knocks are left out. Turn it like a full glass.")};
+      return {RangeTurnPage::tr("Smoother"),
+              RangeTurnPage::tr("Jerks and knocks are left out. Turn it like a full glass.")};
     case RangeAdvice::kTurnTo:
       break;
     case RangeAdvice::kEnough:
       if (!all_enough) {
         break;
       }
-      return {Page::tr("Enough"), Page::tr("Finish now, or fill the last gaps for an even better result.")};
+      return {RangeTurnPage::tr("Enough"),
+              RangeTurnPage::tr("Finish now, or fill the last gaps for an even better result.")};
     case RangeAdvice::kComplete:
-      return {all_enough ? Page::tr("Complete") : Page::tr("Go on turning"),
-              all_enough ? Page::tr("Every direction was seen. Press Enter to finish.")
-                         : Page::tr("Every direction was seen; a few more steady seconds are needed.")};
+      return {all_enough ? RangeTurnPage::tr("Complete") : RangeTurnPage::tr("Go on turning"),
+              all_enough ? RangeTurnPage::tr("Every direction was seen. Press Enter to finish.")
+                         : RangeTurnPage::tr("Every direction was seen; a few more steady seconds are needed.")};
   }
   if (state.progress.missing.empty()) {
-    return {Page::tr("Go on turning"), {}};
+    return {RangeTurnPage::tr("Go on turning"), {}};
   }
   const QString where = up_words(state.progress.missing.front());
-  return {Page::tr("Turn: %1").arg(where),
+  return {RangeTurnPage::tr("Turn: %1").arg(where),
           state.progress.enough
-              ? Page::tr("%1 has enough; these directions would make it better.").arg(sensor)
-              : Page::tr("Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.")};
+              ? RangeTurnPage::tr("%1 has enough; these directions would make it better.").arg(sensor)
+              : RangeTurnPage::tr(
+                    "Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.")};
 }
 
 RangeTurnPage::RangeTurnPage(RangeWizardModel& model, QWidget* parent)
@@ -145,8 +148,16 @@ void RangeTurnPage::refresh() {
   const QString name = QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(shown_)).name);
   AdviceText text = advice_text(*state, name, model_.all_enough());
   if (model_.source_lost()) {
-    text = {tr("Signal lost"), tr("The device stopped sending. Plug it in again and open it in Capture.")};
+    const bool enough_to_try = model_.obstacle().isEmpty();
+    text.big = model_.can_start_over() ? tr("The device is back") : tr("Signal lost");
+    text.sentence = model_.can_start_over()
+                        ? tr("Start over to turn the sensors once more.")
+                        : tr("The device stopped sending. Plug it in again and open it in Capture, then start over.");
+    text.sentence += QLatin1Char(' ') + (enough_to_try ? tr("Or finish with what was turned until then; it is kept.")
+                                                       : tr("Nothing had been turned yet."));
   }
+  start_over_->setEnabled(model_.can_start_over());
+  start_over_->setToolTip(model_.can_start_over() ? QString() : tr("The device is gone: open it in Capture first."));
   big_->setText(text.big);
   sentence_->setText(text.sentence);
 
