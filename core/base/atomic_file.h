@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/byte_sink.h"
 #include "base/result.h"
 
 namespace limbwave {
@@ -13,17 +14,16 @@ namespace limbwave {
 /// A new file, written beside `path` and put in its place by `commit`. Until then, and when the writing fails or the
 /// object goes away, `path` is as it was. Errors are kept until `commit`, so that writers need not ask after every
 /// number. Used by one thread at a time.
-class AtomicFile {
+class AtomicFile final : public ByteSink {
  public:
   explicit AtomicFile(std::filesystem::path path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
-  ~AtomicFile();
+  ~AtomicFile() override;
 
-  void append(std::string_view bytes);
-  /// Replaces bytes that were appended before. Asserts that they were.
-  void overwrite(std::uint64_t offset, std::string_view bytes);
-  [[nodiscard]] std::uint64_t size() const { return flushed_ + buffer_.size(); }
+  void append(std::string_view bytes) override;
+  void overwrite(std::uint64_t offset, std::string_view bytes) override;
+  [[nodiscard]] std::uint64_t size() const override { return flushed_ + buffer_.size(); }
 
   /// Flushes to disk and renames. Fails with the operating system's reason of whatever failed first.
   Status commit();

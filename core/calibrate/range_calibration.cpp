@@ -59,10 +59,9 @@ Spread spread_of(const std::vector<RangeObservation>& steady, const Value& value
 
 }  // namespace
 
-std::pair<double, double> held_out_residuals(const std::vector<RangeObservation>& steady) {
+double held_out_residual(const std::vector<RangeObservation>& steady) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  double extremes_square = 0.0;
-  double ellipsoid_square = 0.0;
+  double square = 0.0;
   std::size_t count = 0;
   const auto fold_of = [&](const RangeObservation& observation) {
     return static_cast<int>((observation.time_s - steady.front().time_s) / kFoldSeconds) % kFolds;
@@ -76,16 +75,22 @@ std::pair<double, double> held_out_residuals(const std::vector<RangeObservation>
     if (held_out.empty()) {
       continue;
     }
-    const std::optional<RangeModel> extremes = fit_extremes(training);
-    const std::optional<EllipsoidFit> ellipsoid = fit_ellipsoid(thinned(training), extremes.value_or(RangeModel{}));
+    const std::optional<EllipsoidFit> ellipsoid =
+        fit_ellipsoid(thinned(training), fit_extremes(training).value_or(RangeModel{}));
     for (const RangeObservation& observation : held_out) {
-      extremes_square += extremes ? std::pow(extremes->residual(observation.x), 2) : kNone;
-      ellipsoid_square += ellipsoid ? std::pow(ellipsoid->model.residual(observation.x), 2) : kNone;
+      square += ellipsoid ? std::pow(ellipsoid->model.residual(observation.x), 2) : kNone;
       ++count;
     }
   }
-  const double n = count > 0 ? static_cast<double>(count) : kNone;
-  return {std::sqrt(extremes_square / n), std::sqrt(ellipsoid_square / n)};
+  return count > 0 ? std::sqrt(square / static_cast<double>(count)) : kNone;
+}
+
+double rms_residual(const std::vector<RangeObservation>& steady, const RangeModel& model) {
+  double square = 0.0;
+  for (const RangeObservation& observation : steady) {
+    square += std::pow(model.residual(observation.x), 2);
+  }
+  return std::sqrt(square / static_cast<double>(steady.size()));
 }
 
 RangeCalibrator::RangeCalibrator(const body::LineInSignal& signal, std::string serial,
@@ -333,7 +338,8 @@ Result<RangeResult> RangeCalibrator::finish(const std::string& date) const {
                               100.0 * coverage.fraction(), 2.0 * degrees(coverage.largest_hole())),
                   "go on turning it slowly, for example until " + direction_words(coverage.missing().front()));
   }
-  const auto [extremes_residual, ellipsoid_residual] = held_out_residuals(steady);
+  const double extremes_residual = rms_residual(steady, *extremes);
+  const double ellipsoid_residual = held_out_residual(steady);
   result.extremes = in_volts(*extremes, "extremes");
   result.ellipsoid = in_volts(ellipsoid->model, "ellipsoid");
   result.extremes.residual_g = extremes_residual;

@@ -42,8 +42,8 @@ struct RangeProgress {
 /// What a range calibration found.
 struct RangeResult {
   SensorCalibration calibration;  ///< The better of the two.
-  SensorCalibration extremes;     ///< The paper's way; residual_g is of held-out readings, as in all three.
-  SensorCalibration ellipsoid;
+  SensorCalibration extremes;     ///< The paper's way; residual_g of all steady readings, hardly any of which made it.
+  SensorCalibration ellipsoid;    ///< residual_g of held-out readings.
   Verdict verdict = Verdict::kRepeat;
   std::string text;          ///< The verdict with its number and reason, for people.
   double offset_sd_g = 0.0;  ///< Standard error of the ellipsoid's offset.
@@ -88,8 +88,12 @@ class RangeCalibrator {
   double last_judged_s_ = -1.0;
 };
 
-/// Root mean square of |f|/g − 1 over readings that were left out of the fit, five folds of whole 2 s stretches.
-/// First: extremes, second: ellipsoid; NaN where a fit failed.
-std::pair<double, double> held_out_residuals(const std::vector<RangeObservation>& steady);
+/// Root mean square of |f|/g − 1 over readings that were left out of an ellipsoid fit, five folds of whole 2 s
+/// stretches; NaN where a fit failed. (For the extremes this would be no measure: a fold may take the only stretch away
+/// in which an axis was upright.)
+double held_out_residual(const std::vector<RangeObservation>& steady);
+
+/// Root mean square of |f|/g − 1.
+double rms_residual(const std::vector<RangeObservation>& steady, const RangeModel& model);
 
 }  // namespace limbwave::calibrate

@@ -17,16 +17,48 @@ constexpr int kUnknowns = 10;  // 9 of the ellipsoid and the gain after a step
 using Parameters = Eigen::Matrix<double, kUnknowns, 1>;
 using Normal = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-// The highest value that the axis keeps for opening_s, and reaches for percentile_s in all; `sign` −1 gives the lowest.
+// Highest value of the parabola that runs through most of the readings of an axis, on their stretch of time: least
+// absolute deviations by reweighting, so that a peak within it changes nothing.
+double summit(std::span<const RangeObservation> observations, int axis, double sign, double middle_s, double scale_s) {
+  Vector3d c = Vector3d::Zero();
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    Matrix3d normal = Matrix3d::Zero();
+    Vector3d right = Vector3d::Zero();
+    for (const RangeObservation& observation : observations) {
+      const double t = (observation.time_s - middle_s) / scale_s;
+      const Vector3d basis(1.0, t, t * t);
+      const double x = sign * observation.x[axis];
+      const double weight = iteration == 0 ? 1.0 : 1.0 / std::max(std::abs(x - c.dot(basis)), 1e-4);
+      normal += weight * basis * basis.transpose();
+      right += weight * x * basis;
+    }
+    c = normal.ldlt().solve(right);
+  }
+  const double first = (observations.front().time_s - middle_s) / scale_s;
+  const double last = (observations.back().time_s - middle_s) / scale_s;
+  const double top = c[2] < 0.0 ? std::clamp(-0.5 * c[1] / c[2], first, last) : last;
+  const auto at = [&](double t) { return c[0] + t * (c[1] + t * c[2]); };
+  return std::max({at(first), at(last), at(top)});
+}
+
+// The highest value of an axis that is no short peak; `sign` −1 gives the lowest.
 std::optional<double> robust_highest(std::span<const RangeObservation> observations, int axis, double sign,
                                      const ExtremesParameters& parameters) {
   // Erosion: the smallest value of every window of opening_s within a run. The highest of these is the opening's
   // maximum, so the following dilation need not be done.
-  std::vector<std::pair<double, double>> eroded;  // value, seconds that it stands for
+  struct Eroded {
+    double value = 0.0;
+    double seconds = 0.0;  // that it stands for
+    std::size_t first = 0, last = 0;
+  };
+  std::vector<Eroded> eroded;
+  const auto joined = [&](std::size_t i) {
+    return i > 0 && observations[i].time_s - observations[i - 1].time_s <= parameters.largest_gap_s;
+  };
   std::size_t begin = 0;
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const double step = i == 0 ? 0.0 : observations[i].time_s - observations[i - 1].time_s;
-    if (i > 0 && step > parameters.largest_gap_s) {
+    if (i > 0 && !joined(i)) {
       begin = i;
     }
     std::size_t first = i;
@@ -36,16 +68,32 @@ std::optional<double> robust_highest(std::span<const RangeObservation> observati
       lowest = std::min(lowest, sign * observations[first].x[axis]);
     }
     if (observations[i].time_s - observations[first].time_s >= parameters.opening_s - 1e-9) {
-      eroded.emplace_back(lowest, step);
+      eroded.push_back({lowest, step, first, i});
     }
   }
-  std::sort(eroded.rbegin(), eroded.rend());
+  std::sort(eroded.begin(), eroded.end(), [](const Eroded& a, const Eroded& b) {
+    return a.value != b.value ? a.value > b.value : a.first < b.first;
+  });
   double seconds = 0.0;
-  for (const auto& [value, step] : eroded) {
-    seconds += step;
-    if (seconds >= parameters.percentile_s) {
-      return sign * value;
+  for (const Eroded& place : eroded) {
+    seconds += place.seconds;
+    if (seconds < parameters.percentile_s) {
+      continue;
     }
+    const double middle = 0.5 * (observations[place.first].time_s + observations[place.last].time_s);
+    std::size_t first = place.first;
+    while (joined(first) && middle - observations[first - 1].time_s <= parameters.summit_s) {
+      --first;
+    }
+    std::size_t last = place.last;
+    while (last + 1 < observations.size() && joined(last + 1) &&
+           observations[last + 1].time_s - middle <= parameters.summit_s) {
+      ++last;
+    }
+    const auto around = observations.subspan(first, last - first + 1);
+    // What was kept for a while is reached at least.
+    return sign * (around.size() < 6 ? place.value
+                                     : std::max(place.value, summit(around, axis, sign, middle, parameters.summit_s)));
   }
   return std::nullopt;
 }

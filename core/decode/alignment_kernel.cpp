@@ -23,7 +23,7 @@ AlignmentKernel::AlignmentKernel() {
   // Covariance of the assumed signal over a distance of `cycles`, in units of the noise's variance.
   const auto covariance = [](double cycles) {
     return kMeanPower + kPassPower * sinc(2.0 * kPi * kPassband * cycles) +
-           kEdgePower * sinc(2.0 * kPi * kEdge * cycles);
+           kEdgePower * sinc(2.0 * kPi * kEdge * cycles) + kRestPower * sinc(kPi * cycles);
   };
   Matrix between;
   for (Eigen::Index k = 0; k < between.rows(); ++k) {

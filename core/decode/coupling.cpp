@@ -78,13 +78,13 @@ void CouplingEstimator::add(const CycleMeasurement& cycle, const std::array<doub
   // Slope = −κ (level − c) + motion: the levels two cycles before and after tell the motion, to fourth order.
   const CycleMeasurement& middle = window_[2].cycle;
   const auto last = static_cast<std::size_t>(slots - 1);
-  std::uint32_t clipped = 0;
+  std::uint32_t broken = 0;
   for (const Waiting& waiting : window_) {
-    clipped |= waiting.cycle.clipped;
+    broken |= waiting.cycle.broken;
   }
   data_.fade(keep);
   for (std::size_t j = 0; j <= last; ++j) {
-    if ((clipped >> j & 1U) != 0) {
+    if ((broken >> j & 1U) != 0) {
       continue;
     }
     const double near = window_[3].levels[j] - window_[1].levels[j];

@@ -92,6 +92,7 @@ CycleMeasurement CycleMeter::measure(const CycleBounds& bounds, const ChannelVie
       result.clipped |= 1U << index;
     }
   }
+  result.broken = result.clipped;
   const auto last = static_cast<std::size_t>(format_.slots - 1);
 
   // The counter's halves: all but half a slot after and a quarter before the edges.

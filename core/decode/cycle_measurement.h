@@ -10,6 +10,9 @@
 
 namespace limbwave::decode {
 
+/// More scatter within a slot than this part of the counter's swing is no noise that a sound card should have.
+inline constexpr double kRestless = 0.003;
+
 /// One window's reading. Levels are fractions of full scale, as the card gave them (drooped).
 struct LevelReading {
   double centre = 0.0;    ///< Instant, samples of the take.
@@ -29,6 +32,7 @@ struct CycleMeasurement {
   std::array<LevelReading, kMaxSlots> slots{};
   LevelReading low, high;     ///< Counter halves.
   std::uint32_t clipped = 0;  ///< Bit per slot.
+  std::uint32_t broken = 0;   ///< Bit per slot: neither its level nor what it adds to integrals is to be trusted.
   bool counter_clipped = false;
   double data_noise_gain = 0.0;  ///< Variance of a slot's mean per variance of a sample.
   double period() const { return bounds.end - bounds.start; }

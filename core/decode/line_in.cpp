@@ -7,16 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "base/units.h"
 #include "decode/counter_edges.h"
-#include "decode/coupling.h"
-#include "decode/cycle_measurement.h"
+#include "decode/cycle_decoder.h"
 #include "decode/finding_log.h"
 #include "decode/line_judge.h"
-#include "decode/line_monitor.h"
-#include "decode/reference_filter.h"
 #include "decode/stereo_history.h"
-#include "decode/swing_tracker.h"
 
 namespace limbwave::decode {
 namespace {
@@ -28,7 +23,6 @@ constexpr double kCouplingMemory_s = 60.0;
 constexpr double kEdgeThreshold = 0.25;  // of the counter's swing
 constexpr double kOnTime = 0.02;         // of half a cycle: an edge that close to its time is an expected one
 constexpr double kSkipped = 0.75;        // of half a cycle after it holds no other edge
-constexpr double kRestless = 0.003;      // of the counter's swing: more scatter within the reference slot is no noise
 constexpr int kToldEach = 5;             // findings of a kind before they are only counted
 constexpr std::size_t kChunk = 4096;     // frames handled at once: stays in the cache
 
@@ -44,11 +38,8 @@ struct LineInDecoder::Impl {
         memory_cycles(kCouplingMemory_s * board.cycle_rate_hz),
         scanner(scales, 0),
         tracker(board, sample_rate),
-        meter(board, user.settle_fraction),
-        coupling(memory_cycles),
-        swing(0.0, false),
         log(kToldEach),
-        monitor(board, sample_rate, log) {}
+        decoder(board, sample_rate, user, memory_cycles, log) {}
 
   // Samples come in contiguous stretches.
   void push(std::span<const float> interleaved);
@@ -67,7 +58,6 @@ struct LineInDecoder::Impl {
   void lose_line(double at);
   void decode_cycle(const CycleBounds& bounds);
   void report_lost(double from, double to, bool found);
-  [[nodiscard]] DecayRegression::Estimate data_coupling() const;
   [[nodiscard]] std::int64_t samples(double seconds) const { return std::llround(seconds * rate.hz); }
 
   LineInFormat format;
@@ -79,25 +69,20 @@ struct LineInDecoder::Impl {
   std::int64_t hole_from = -1, hole_length = 0;  // a run of non-finite samples
 
   bool judged = false;
-  std::int64_t judge_from = 0;    // start of the stretch to judge
-  std::int64_t judged_until = 0;  // coupling has learnt from everything before
-  std::string told_failure;       // why the line cannot be used, as told last
+  std::int64_t judge_from = 0;  // start of the stretch to judge
+  std::string told_failure;     // why the line cannot be used, as told last
   StepScanner scanner;
   std::optional<StepScanner::Step> step;  // found, but its surroundings are not all there yet
   CycleTracker tracker;
-  CycleMeter meter;
-  CouplingEstimator coupling;
-  ReferenceFilter reference;
-  SwingTracker swing;
-  double noise = 0.0, jitter = 0.0;
+  double jitter = 0.0;
   double deadline = 0.0;  // no cycle until then: the line is lost
-  bool any_cycle = false, was_usable = true, told_lost = false;
+  bool any_cycle = false, told_lost = false;
   bool interrupted = false;  // samples are known to be missing since the last cycle
   double last_end = 0.0, last_period = 0.0, last_edge = -1e9;
   std::int64_t last_number = -1;
 
   FindingLog log;
-  LineMonitor monitor;
+  CycleDecoder decoder;
   LineInStatus status;
   std::vector<LineInCycle> cycles;
 };
@@ -156,9 +141,7 @@ void LineInDecoder::Impl::end_hole() {
 void LineInDecoder::Impl::end_stretch() {
   process(true);
   step.reset();
-  meter.unlink();
-  reference.restart();
-  coupling.unlink();
+  decoder.unlink();
   tracker.restart(tracker.half());
   interrupted = true;
 }
@@ -202,15 +185,10 @@ bool LineInDecoder::Impl::judge(bool end) {
     log.add(std::move(finding));
   }
   judged = true;
-  judged_until = until;
   status.swapped = judgement.swapped;
   status.left_inverted = judgement.left_inverted;
   status.right_inverted = judgement.right_inverted;
-  coupling = judgement.coupling;
-  noise = judgement.noise;
-  swing = SwingTracker(judgement.swing, judgement.right_inverted);
-  reference = ReferenceFilter();
-  meter.unlink();
+  decoder.start(judgement, until);
   tracker.restart(judgement.half_samples);
   scanner = StepScanner(scales, judge_from);
   step.reset();
@@ -220,7 +198,7 @@ bool LineInDecoder::Impl::judge(bool end) {
 
 bool LineInDecoder::Impl::scan(bool end) {
   const ChannelView counter = counter_view();
-  const double threshold = kEdgeThreshold * swing.swing();
+  const double threshold = kEdgeThreshold * decoder.swing();
   if (!step) {
     step = scanner.next(counter, threshold, end);
   }
@@ -233,7 +211,7 @@ bool LineInDecoder::Impl::scan(bool end) {
   if (!step || (!end && step->near + scales.reach() > counter.last)) {
     return false;
   }
-  auto edge = time_edge(counter, step->near, coupling.counter().kappa, scales);
+  auto edge = time_edge(counter, step->near, decoder.counter_kappa(), scales);
   step.reset();
   if (edge) {
     edge->rising = edge->rising != status.right_inverted;
@@ -269,15 +247,6 @@ void LineInDecoder::Impl::report_lost(double from, double to, bool found) {
            from / rate.hz});
 }
 
-DecayRegression::Estimate LineInDecoder::Impl::data_coupling() const {
-  DecayRegression::Estimate estimate = coupling.data();
-  if (parameters.coupling_hz) {
-    estimate.kappa = 2.0 * std::tan(kPi * *parameters.coupling_hz / rate.hz);
-    estimate.sd = 0.0;
-  }
-  return estimate;
-}
-
 void LineInDecoder::Impl::decode_cycle(const CycleBounds& bounds) {
   const double period = bounds.end - bounds.start;
   LineInCycle out;
@@ -294,47 +263,12 @@ void LineInDecoder::Impl::decode_cycle(const CycleBounds& bounds) {
       report_lost(last_end, bounds.start, true);
     }
   }
-  const CycleMeasurement measured = meter.measure(bounds, data_view(), counter_view());
-  SwingTracker::Reading gain = swing.step(measured, coupling.counter());
-  // The reference does not move: when it seems to, the gain or a plug did.
-  const double restless = std::sqrt(measured.slots[static_cast<std::size_t>(format.slots - 1)].variance);
-  gain.usable = gain.usable && restless < std::max(6.0 * noise, kRestless * gain.swing);
-  if (!gain.usable || !was_usable) {
-    reference.restart();  // levels before and after a change of gain are not comparable
-    coupling.unlink();
-  }
-  const DecayRegression::Estimate estimate = data_coupling();
-  const auto line = reference.step(measured, format.slots, estimate, noise, kRestless * gain.swing);
-  gain.usable = gain.usable && !line.jumped;
-  const auto levels = relative_levels(measured, line, estimate.kappa, format.slots);
-  if (bounds.start >= static_cast<double>(judged_until) && gain.usable && !gain.moved) {
-    coupling.add(measured, levels, format.slots);
-  }
-
-  const double scale = (status.left_inverted ? -1.0 : 1.0) * format.supply_volts / std::max(gain.swing, 1e-12);
-  double variance = 0.0;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(format.slots); ++j) {
-    out.sample[j] = measured.slots[j].centre;
-    out.volts[j] = scale * levels[j];
-    variance += measured.slots[j].variance / format.slots;
-  }
-  const std::uint32_t reference_bit = 1U << static_cast<unsigned>(format.slots - 1);
-  // Every value is relative to the reference: without it there is none.
-  out.clipped = (measured.clipped & reference_bit) != 0 ? (reference_bit << 1U) - 1U : measured.clipped;
-  out.valid = gain.usable;
-  if (out.valid && out.clipped == 0) {
-    noise = std::sqrt(noise * noise + (variance - noise * noise) / 30.0);
-  }
-  monitor.step(out, measured.counter_clipped, gain);
-  if (!parameters.coupling_hz) {
-    monitor.watch_hum(out, reference.unrest(), noise * std::sqrt(measured.data_noise_gain), gain.swing);
-  }
+  decoder.decode(bounds, data_view(), counter_view(), out);
 
   if (follows) {
     const double change = (period - last_period) / period;
     jitter += (change * change - jitter) / 30.0;
   }
-  was_usable = gain.usable;
   any_cycle = true;
   told_lost = interrupted = false;
   last_end = bounds.end;
@@ -342,19 +276,11 @@ void LineInDecoder::Impl::decode_cycle(const CycleBounds& bounds) {
   last_number = out.number;
   deadline = bounds.end + kLost_s * rate.hz;
 
-  const auto corner = [&](double kappa) { return rate.hz / kPi * std::atan(0.5 * kappa); };
   status.locked = true;
   status.cycle_rate_hz = rate.hz / period;
-  status.right_swing = swing.swing();
-  status.left_coupling_hz = corner(estimate.kappa);
-  status.right_coupling_hz = corner(std::max(0.0, coupling.counter().kappa));
-  status.coupling_sd_hz = corner(estimate.sd);
-  status.noise = noise;
   status.clock_jitter = std::sqrt(jitter);
   ++status.cycles;
-  for (std::uint32_t bits = out.clipped; bits != 0; bits &= bits - 1) {
-    ++status.clipped_slots;
-  }
+  decoder.tell(status);
   cycles.push_back(out);
 }
 
@@ -362,9 +288,9 @@ void LineInDecoder::Impl::drop_old() {
   std::int64_t keep = judge_from;
   if (judged) {
     // The cycle that is under way, and what a judgement would start from if the line were lost now.
-    keep =
-        std::min({scanner.needs_from(), meter.needs_from(), static_cast<std::int64_t>(deadline - kLost_s * rate.hz)}) -
-        4 * scales.reach();
+    keep = std::min(
+               {scanner.needs_from(), decoder.needs_from(), static_cast<std::int64_t>(deadline - kLost_s * rate.hz)}) -
+           4 * scales.reach();
   }
   history.drop_before(keep);
 }
@@ -395,7 +321,7 @@ void LineInDecoder::finish() {
   impl_->end_hole();
   impl_->end_stretch();
   impl_->start_stretch(impl_->history.position());
-  impl_->monitor.finish();
+  impl_->decoder.finish();
   impl_->log.summarise();
 }
 

@@ -50,9 +50,10 @@ struct LineInCycle {
   /// Voltage of every slot relative to the reference slot, volts at the board (ratiometric: scaled by the swing of the
   /// counter bit, so that the card's gain cancels), coupling corrected, polarity corrected.
   std::array<double, kMaxSlots> volts{};
-  std::uint32_t clipped = 0;  ///< Bit per slot: touched full scale.
-  bool valid = false;         ///< False where sync was lost: values are not to be used.
-  bool gap_before = false;    ///< Samples or cycles are missing between the previous cycle and this one.
+  std::uint32_t clipped = 0;    ///< Bit per slot: touched full scale.
+  std::uint32_t uncertain = 0;  ///< Bit per slot: holds a click, or lies between broken slots (clipped, clicks).
+  bool valid = false;           ///< False where sync was lost: values are not to be used.
+  bool gap_before = false;      ///< Samples or cycles are missing between the previous cycle and this one.
 };
 
 /// The state of the line, for health displays. All levels as fractions of full scale.

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kSilentRms = 2e-3;  // -54 dBFS: below it there is only noise
 constexpr double kMonoCorrelation = 0.98;
-constexpr double kLowestSwing = 0.02;  // peak to peak: -40 dBFS
+constexpr double kLowestSwing = 0.02;    // peak to peak: -40 dBFS
+constexpr double kFewestSamples = 30.0;  // a slot; with fewer a card's filter rings through all of it
 
 double decibels(double level) {
   return 20.0 * std::log10(std::max(level, 1e-9));
@@ -185,7 +186,7 @@ class Judge {
   void explain_missing_counter(const CounterSearch& on_left, const CounterSearch& on_right,
                                const ChannelLevels& levels);
   bool judge_polarity(const CounterSearch& search, const ChannelView& data, const ChannelView& counter);
-  void judge_levels(const Survey& survey);
+  void judge_levels(const Survey& survey, bool reference_told);
   [[nodiscard]] bool in_tolerance(const CounterSearch& search) const {
     const double hz = 0.5 * rate_.hz / search.half_samples;
     return search.regular && std::fabs(hz / format_.cycle_rate_hz - 1.0) < format_.cycle_rate_tolerance + 0.01;
@@ -262,12 +263,14 @@ bool Judge::judge_polarity(const CounterSearch& search, const ChannelView& data,
          "Check the cable's other channel and the balance control", result_.swapped ? "right" : "left");
     return false;
   }
+  bool reference_told = reference_outside;
   if (reference_outside) {
     const auto best = best_polarities(survey.levels, format_, parameters_);
     if (best[0].score > 0.6 && best[0].score - best[1].score > 0.2) {
       result_.left_inverted = best[0].left_inverted;
       result_.right_inverted = best[0].right_inverted;
     } else {
+      reference_told = false;
       find(Severity::kWarning, "line-in.no-reference",
            fmt::format(
                "the reference slot does not stand out from the sensors (score {:.2f} of 1), so polarity cannot "
@@ -283,11 +286,20 @@ bool Judge::judge_polarity(const CounterSearch& search, const ChannelView& data,
   result_.coupling = survey.coupling;
   result_.swing = survey.swing;
   result_.noise = survey.noise;
-  judge_levels(survey);
+  judge_levels(survey, reference_told);
   return true;
 }
 
-void Judge::judge_levels(const Survey& survey) {
+void Judge::judge_levels(const Survey& survey, bool reference_told) {
+  const double slot = rate_.hz / (format_.cycle_rate_hz * format_.slots);
+  if (slot < kFewestSamples) {
+    find(Severity::kWarning, "line-in.low-rate",
+         fmt::format(
+             "at {:.0f} samples per second a slot has only {:.0f}: readings are off by some thousandths of g and "
+             "more",
+             rate_.hz, slot),
+         "Record at 44100 samples per second or more");
+  }
   const char* counter_name = result_.swapped ? "left" : "right";
   const char* data_name = result_.swapped ? "right" : "left";
   if (result_.swapped && !parameters_.swapped) {
@@ -312,7 +324,7 @@ void Judge::judge_levels(const Survey& survey) {
   }
   // All sensors together rest about zero g above the reference: that compares the gains of both channels.
   const double expected = (format_.zero_g_volts - format_.reference_volts) / format_.supply_volts;
-  if (survey.clipped_counters == 0 && std::fabs(expected) * format_.supply_volts > 1.2 * format_.volts_per_g) {
+  if (reference_told && survey.clipped_counters == 0) {
     double mean = 0.0;
     const int sensors = format_.slots - 1;
     for (int j = 0; j < sensors; ++j) {

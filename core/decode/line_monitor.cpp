@@ -84,18 +84,44 @@ void LineMonitor::watch_clipping(const LineInCycle& cycle, bool counter_clipped,
   }
 }
 
-void LineMonitor::watch_hum(const LineInCycle& cycle, double unrest, double explained, double swing) {
+void LineMonitor::watch_clicks(const LineInCycle& cycle, std::uint32_t clicks) {
+  if (clicks == 0) {
+    return;
+  }
+  const double time_s = cycle.start_sample / rate_.hz;
+  if (time_s - last_click_s_ > kStretchEnds_s) {
+    log_->add({Severity::kWarning, "line-in.click",
+               fmt::format("the signal of {} jumps within its slot: a click, or samples that were lost; the reading is "
+                           "left out",
+                           slot_name(std::countr_zero(clicks))),
+               "If it happens often, check plugs and solder joints, close other programs or take a larger buffer", "",
+               time_s});
+  }
+  last_click_s_ = time_s;
+}
+
+void LineMonitor::watch_hum(const LineInCycle& cycle, const HumTracker& hum, double unrest, double explained,
+                            double swing) {
   const double limit = std::max(4.0 * explained, kHum * swing);
-  if (unrest > limit && !humming_) {
+  // As RMS; what is taken out is told from the same strength on.
+  const double removed = hum.amplitude() / std::sqrt(2.0);
+  const double strength = std::max(unrest, removed);
+  if (strength > limit && !humming_) {
     humming_ = true;
-    log_->add(
-        {Severity::kWarning, "line-in.hum",
-         fmt::format("the reference level, which should stand still, moves by {:.2f} % of the counter's swing: there "
-                     "is hum on the sensor channel",
-                     100.0 * unrest / swing),
-         "Run the computer on its battery, keep the cable away from power supplies and use a shielded one", "",
-         cycle.start_sample / rate_.hz});
-  } else if (unrest < 0.5 * limit) {
+    const std::string what =
+        removed > unrest
+            ? fmt::format(
+                  "there is {:.0f} Hz mains hum on the sensor channel, {:.2f} % of the counter's swing; it is "
+                  "taken out as far as it is steady",
+                  hum.mains_hz(), 100.0 * hum.amplitude() / swing)
+            : fmt::format(
+                  "the reference level, which should stand still, moves by {:.2f} % of the counter's swing: "
+                  "there is hum on the sensor channel",
+                  100.0 * unrest / swing);
+    log_->add({Severity::kWarning, "line-in.hum", what,
+               "Run the computer on its battery, keep the cable away from power supplies and use a shielded one", "",
+               cycle.start_sample / rate_.hz});
+  } else if (strength < 0.5 * limit) {
     humming_ = false;
   }
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "decode/finding_log.h"
+#include "decode/hum_tracker.h"
 #include "decode/line_in.h"
 #include "decode/swing_tracker.h"
 
@@ -18,8 +19,11 @@ class LineMonitor {
       : format_(format), rate_(rate), log_(&log) {}
   /// Every cycle, in order of time; `counter_clipped` and `swing` as measured on the counter channel.
   void step(const LineInCycle& cycle, bool counter_clipped, const SwingTracker::Reading& swing);
-  /// RMS by which the reference level is off its prediction, and what of it noise explains, fractions of full scale.
-  void watch_hum(const LineInCycle& cycle, double unrest, double explained, double swing);
+  /// Slots of a valid cycle within which something happened, bit per slot.
+  void watch_clicks(const LineInCycle& cycle, std::uint32_t clicks);
+  /// The hum that is taken out; and RMS by which the reference level is then still off its prediction, and what of it
+  /// noise explains, fractions of full scale.
+  void watch_hum(const LineInCycle& cycle, const HumTracker& hum, double unrest, double explained, double swing);
   /// Sums up what was clipped.
   void finish();
 
@@ -39,7 +43,7 @@ class LineMonitor {
   LineInFormat format_;
   SampleRate rate_;
   FindingLog* log_;
-  double last_clip_s_ = -1e9, last_counter_clip_s_ = -1e9;
+  double last_clip_s_ = -1e9, last_counter_clip_s_ = -1e9, last_click_s_ = -1e9;
   std::int64_t clipped_slots_ = 0, told_slots_ = 0, clip_stretches_ = 0;
   std::deque<Sample> recent_;  // steady cycles, newest last
   bool humming_ = false;

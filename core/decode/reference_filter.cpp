@@ -21,7 +21,7 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
   const double kappa = coupling.kappa;
   const LevelReading& reference = cycle.slots[static_cast<std::size_t>(slots - 1)];
   const double measured_variance = noise * noise * cycle.data_noise_gain + kSmallestVariance;
-  if (!cycle.linked || !known_ || cycle.clipped != 0) {
+  if (!cycle.linked || !known_ || cycle.broken != 0) {
     if (!drift_known_) {
       // The flattened level runs away by κ c per sample.
       drift_ = kappa * coupling.offset * cycle.period();
@@ -31,12 +31,18 @@ ReferenceFilter::Line ReferenceFilter::step(const CycleMeasurement& cycle, int s
     line.level = reference.mean + kappa * reference.integral;
     line.instant = reference.centre;
     line.slope = drift_ / cycle.period();
-    if (cycle.linked && known_ && cycle.clipped != 0) {
-      line.break_at = cycle.slots[static_cast<std::size_t>(std::countr_zero(cycle.clipped))].centre;
-      line.level_before = level_;
-      line.instant_before = cycle.previous_reference.centre;
+    if (cycle.broken != 0) {
+      int first = 0;
+      if (cycle.linked && known_) {
+        first = std::countr_zero(cycle.broken);
+        line.break_at = cycle.slots[static_cast<std::size_t>(first)].centre;
+        line.level_before = level_;
+        line.instant_before = cycle.previous_reference.centre;
+      }
+      const std::uint32_t up_to_last = ~std::uint32_t{0} >> std::countl_zero(cycle.broken);
+      line.uncertain = up_to_last & ~((std::uint32_t{1} << first) - 1U) & ~cycle.broken;
     }
-    known_ = true;
+    known_ = (cycle.broken >> static_cast<unsigned>(slots - 1) & 1U) == 0;
     level_ = reference.mean;
     p00_ = measured_variance;
     p01_ = 0.0;

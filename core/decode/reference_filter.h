@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "decode/coupling.h"
 #include "decode/cycle_measurement.h"
@@ -20,10 +21,12 @@ class ReferenceFilter {
     double instant = 0.0;
     double slope = 0.0;
     bool jumped = false;  ///< The level is not where it must be: something happened to the line since the last one.
-    /// Clipping breaks the integral: slots before `break_at` (samples) go by the previous reference.
+    /// A clipped slot or a click breaks the integral: slots before `break_at` (samples) go by the previous reference.
     double break_at = -1e300;
     double level_before = 0.0;
     double instant_before = 0.0;
+    /// Bit per slot: neither reference reaches it, because the integral is broken on both sides.
+    std::uint32_t uncertain = 0;
     [[nodiscard]] double at(double sample) const {
       return sample < break_at ? level_before + slope * (sample - instant_before) : level + slope * (sample - instant);
     }

@@ -9,7 +9,9 @@ namespace limbwave::decode {
 namespace {
 
 constexpr std::size_t kAfter = AlignmentKernel::kAfter;
-constexpr std::size_t kBefore = 3;  // of the polynomial
+constexpr std::size_t kBefore = 3;      // of the polynomial
+constexpr std::size_t kFewest = 4;      // points that make a value
+constexpr double kExtrapolated = 0.05;  // of a cycle: hardly more than none
 
 const AlignmentKernel& kernel() {
   static const AlignmentKernel instance;
@@ -34,7 +36,7 @@ double interpolate_at_zero(const double* x, const double* values, std::size_t co
 }
 
 bool supports(const LineInCycle& cycle, std::size_t slot) {
-  return cycle.valid && (cycle.clipped >> slot & 1U) == 0;
+  return cycle.valid && ((cycle.clipped | cycle.uncertain) >> slot & 1U) == 0;
 }
 
 }  // namespace
@@ -42,6 +44,7 @@ bool supports(const LineInCycle& cycle, std::size_t slot) {
 void SlotAligner::push(const LineInCycle& cycle) {
   if (cycle.gap_before) {
     finish();
+    gap_ = true;
   }
   window_.push_back(cycle);
   while (next_ + kAfter < window_.size()) {
@@ -54,18 +57,18 @@ void SlotAligner::push(const LineInCycle& cycle) {
 }
 
 void SlotAligner::finish() {
-  while (next_ < window_.size()) {
+  while (next_ + 1 < window_.size()) {
     emit(next_++);
   }
   window_.clear();
-  next_ = 0;
+  next_ = kFirst;
 }
 
 std::vector<AccelerationFrame> SlotAligner::take_frames() {
   return std::exchange(frames_, {});
 }
 
-double SlotAligner::interpolate(std::size_t index, std::size_t slot, double instant) const {
+SlotAligner::Value SlotAligner::interpolate(std::size_t index, std::size_t slot, double instant) const {
   if (index >= AlignmentKernel::kBefore && index + kAfter < window_.size()) {
     AlignmentKernel::Values instants;
     AlignmentKernel::Values volts;
@@ -78,7 +81,7 @@ double SlotAligner::interpolate(std::size_t index, std::size_t slot, double inst
       volts[k] = cycle.volts[slot];
     }
     if (whole) {
-      return kernel().at_zero(instants, volts);
+      return {kernel().at_zero(instants, volts), true};
     }
   }
   // Unbroken support on either side of this cycle; a bad cycle itself is bridged.
@@ -99,7 +102,13 @@ double SlotAligner::interpolate(std::size_t index, std::size_t slot, double inst
   }
   for (std::size_t k = index + 1; k < std::min(window_.size(), index + kAfter + 1) && add(window_[k]); ++k) {
   }
-  return count == 0 ? window_[index].volts[slot] : interpolate_at_zero(x.data(), values.data(), count);
+  if (count == 0) {
+    return {window_[index].volts[slot], false};
+  }
+  const auto [earliest, latest] = std::minmax_element(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(count));
+  const double reach = kExtrapolated * window_[index].period_samples;
+  return {interpolate_at_zero(x.data(), values.data(), count),
+          count >= kFewest && *earliest <= reach && *latest >= -reach};
 }
 
 void SlotAligner::emit(std::size_t index) {
@@ -107,13 +116,14 @@ void SlotAligner::emit(std::size_t index) {
   const double instant = cycle.start_sample + 0.5 * cycle.period_samples;
   AccelerationFrame frame;
   frame.time_s = instant / rate_.hz;
-  frame.gap_before = cycle.gap_before;
+  frame.gap_before = std::exchange(gap_, false);
   for (std::size_t sensor = 0; sensor < static_cast<std::size_t>(sensors_); ++sensor) {
     bool usable = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t slot = 3 * sensor + axis;
-      usable = usable && supports(cycle, slot);
-      frame.volts[sensor][static_cast<Eigen::Index>(axis)] = interpolate(index, slot, instant);
+      const Value value = interpolate(index, slot, instant);
+      usable = usable && supports(cycle, slot) && value.supported;
+      frame.volts[sensor][static_cast<Eigen::Index>(axis)] = value.volts;
     }
     if (usable) {
       frame.usable |= 1U << sensor;

@@ -32,14 +32,22 @@ EulerAngles to_euler(const Eigen::Quaterniond& R, const EulerOrder& order, const
   const Eigen::Matrix3d M = R.normalized().toRotationMatrix();
   // Column k is R_i R_j e_k: its length outside axis i is the cosine of the middle angle.
   double a = previous[0];
-  if (std::hypot(M(j, k), M(k, k)) > kGimbalLock) {
-    a = std::atan2(-sign * M(j, k), M(k, k));
+  double cos_a = 0.0;
+  double sin_a = 0.0;
+  if (const double cos_b = std::hypot(M(j, k), M(k, k)); cos_b > kGimbalLock) {
+    cos_a = M(k, k) / cos_b;
+    sin_a = -sign * M(j, k) / cos_b;
+    a = std::atan2(sin_a, cos_a);
+  } else {
+    cos_a = std::cos(a);
+    sin_a = std::sin(a);
   }
-  // With the first rotation taken off, the other two come from entries that never vanish together, so that what
-  // rounding does to `a` near gimbal lock is made good by `c`.
-  const Eigen::Matrix3d rest = Eigen::AngleAxisd(-a, Eigen::Vector3d::Unit(i)).toRotationMatrix() * M;
-  const double b = std::atan2(sign * rest(i, k), rest(k, k));
-  const double c = std::atan2(sign * rest(j, i), rest(j, j));
+  // With the first rotation taken off (R_i(-a) M), the other two come from entries that never vanish together, so that
+  // what rounding does to `a` near gimbal lock is made good by `c`.
+  const auto row_j = [&](int column) { return cos_a * M(j, column) + sign * sin_a * M(k, column); };
+  const double rest_kk = cos_a * M(k, k) - sign * sin_a * M(j, k);
+  const double b = std::atan2(sign * M(i, k), rest_kk);
+  const double c = std::atan2(sign * row_j(i), row_j(j));
 
   const EulerAngles branches[2] = {{a, b, c}, {a + kPi, kPi - b, c + kPi}};
   EulerAngles best{};

@@ -18,6 +18,22 @@ static_assert(std::endian::native == std::endian::little, "FBX is little-endian"
 // Shorter arrays do not become smaller.
 constexpr std::size_t kCompressFrom = 128;  // bytes
 
+// Long arrays of measured numbers are noise to zlib; a piece from the middle says so before the time is spent.
+constexpr std::size_t kProbe = 8192;  // bytes
+constexpr std::size_t kProbeFrom = 8 * kProbe;
+constexpr double kWorthwhile = 0.8;
+
+bool compressible(const char* bytes, std::size_t size) {
+  if (size < kProbeFrom) {
+    return true;
+  }
+  std::array<Bytef, kProbe + 64> out{};
+  uLongf packed = out.size();
+  const char* middle = bytes + (size / 2) / 8 * 8;
+  return compress2(out.data(), &packed, reinterpret_cast<const Bytef*>(middle), kProbe, 1) == Z_OK &&
+         static_cast<double>(packed) < kWorthwhile * kProbe;
+}
+
 void put(std::string& bytes, std::uint32_t value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
@@ -28,7 +44,7 @@ FbxArray pack(char type, std::span<const T> values, int level) {
   FbxArray array(1, type);
   put(array, static_cast<std::uint32_t>(values.size()));
   constexpr std::size_t kHeader = 13;  // type, count, encoding, bytes
-  if (plain >= kCompressFrom) {
+  if (plain >= kCompressFrom && level > 0 && compressible(reinterpret_cast<const char*>(values.data()), plain)) {
     uLongf size = compressBound(plain);
     array.resize(kHeader + size);
     const int result = compress2(reinterpret_cast<Bytef*>(array.data() + kHeader), &size,
@@ -62,7 +78,7 @@ FbxArray fbx_array(std::span<const double> values, int level) {
   return pack('d', values, level);
 }
 
-FbxRecordWriter::FbxRecordWriter(AtomicFile& file) : file_(file) {
+FbxRecordWriter::FbxRecordWriter(ByteSink& file) : file_(file) {
   file_.append(kFbxMagic);
   const std::uint32_t version = kFbxVersion;
   file_.append({reinterpret_cast<const char*>(&version), sizeof version});

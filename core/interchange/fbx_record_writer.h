@@ -7,14 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "base/atomic_file.h"
+#include "base/byte_sink.h"
 
 namespace limbwave::interchange {
 
 /// The bytes of an array property as they stand in a file, to be written several times while compressed once.
 using FbxArray = std::string;
 
-/// Packs numbers as an array property. Arrays of more than a few numbers are compressed with zlib (`level` 1 to 9).
+/// Packs numbers as an array property. Arrays of more than a few numbers are compressed with zlib (`level` 1 to 9, 0:
+/// not).
 FbxArray fbx_array(std::span<const std::int32_t> values, int level = 1);
 FbxArray fbx_array(std::span<const std::int64_t> values, int level = 1);
 FbxArray fbx_array(std::span<const float> values, int level = 1);
@@ -25,7 +26,7 @@ FbxArray fbx_array(std::span<const double> values, int level = 1);
 class FbxRecordWriter {
  public:
   /// Writes the file header.
-  explicit FbxRecordWriter(AtomicFile& file);
+  explicit FbxRecordWriter(ByteSink& file);
 
   void begin(std::string_view name);
   /// Properties of the record that was begun last; only before its children.
@@ -69,7 +70,7 @@ class FbxRecordWriter {
   void scalar(char type, const void* value, std::size_t size);
   void close_properties(Open& record);
 
-  AtomicFile& file_;
+  ByteSink& file_;
   std::vector<Open> open_;
 };
 

@@ -7,6 +7,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(TinyGLTF REQUIRED)
+find_package(assimp 5.2 REQUIRED)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
 pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
 # Only to ask devices what they offer and to keep the two libraries from writing to the terminal.
@@ -14,7 +15,7 @@ pkg_check_modules(ALSA REQUIRED IMPORTED_TARGET alsa)
 pkg_check_modules(JACK REQUIRED IMPORTED_TARGET jack)
 
 # Third-party headers are system headers: their warnings are not ours.
-foreach(target Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)
+foreach(target Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11 assimp::assimp)
   get_target_property(includes ${target} INTERFACE_INCLUDE_DIRECTORIES)
   if(includes)
     set_target_properties(${target} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${includes}")

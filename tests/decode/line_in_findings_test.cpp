@@ -124,6 +124,116 @@ TEST(LineInFindings, CleanLinesHaveNone) {
   }
 }
 
+TEST(LineInFindings, WhatClippingLeavesIsRightOrMarked) {
+  // Three axes swing far beyond full scale, now one, now several in a cycle; the coupling makes what is cut off of one
+  // slot an error of all that follow.
+  for (const double corner : {1.0, 5.0, 20.0}) {
+    LineInSignalSpec spec = moving();
+    spec.coupling_hz = corner;
+    spec.noise = 0.0;
+    spec.bits = 16;
+    spec.seconds = 6.0;
+    spec.volts = [](int axis, double t) {
+      const double swing = axis == 1 || axis == 6 || axis == 12 ? 2.5 : 0.2;
+      return 1.65 + swing * std::sin((5.0 + 0.3 * axis) * t + axis);
+    };
+    const Decoded decoded = decode(spec);
+    int unmarked = 0;
+    int beside = 0;
+    double worst = 0.0;
+    for (const LineInCycle& cycle : decoded.cycles) {
+      for (int j = 0; j < 15; ++j) {
+        const auto slot = static_cast<std::size_t>(j);
+        if (!cycle.valid || ((cycle.clipped | cycle.uncertain) >> slot & 1U) != 0) {
+          continue;
+        }
+        ++unmarked;
+        beside += cycle.clipped != 0 ? 1 : 0;
+        worst = std::max(worst, std::fabs(cycle.volts[slot] - test::true_volts(spec, j, cycle.sample[slot])));
+      }
+    }
+    EXPECT_TRUE(decoded.has("line-in.clipped")) << corner;
+    EXPECT_GT(unmarked, 2500) << corner;
+    EXPECT_GT(beside, 500) << corner;
+    EXPECT_LT(worst, kNoiseBound) << corner;
+  }
+}
+
+TEST(LineInFindings, ClicksAreLeftOutAndTold) {
+  for (const double corner : {0.0, 5.0}) {
+    for (const auto& [height, length] : {std::pair{0.05F, 5}, {0.4F, 1}, {0.4F, 20}}) {
+      LineInSignalSpec spec = moving();
+      spec.coupling_hz = corner;
+      auto samples = test::make_line_in_signal(spec).interleaved;
+      int clicks = 0;
+      for (std::size_t at = 60000; at + 1000 < samples.size() / 2; at += 7019, ++clicks) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(length); ++k) {
+          float& left = samples[2 * (at + k)];
+          left += left > 0.0F ? -height : height;
+        }
+      }
+      const Decoded decoded = test::decode_signal(samples, kRate);
+      SCOPED_TRACE(testing::Message() << corner << " Hz, " << height << " x " << length << "\n" << decoded.texts());
+      expect_only(decoded, "line-in.click");
+      double worst = 0.0;
+      int left_out = 0;
+      for (const LineInCycle& cycle : decoded.cycles) {
+        for (int j = 0; j < 15; ++j) {
+          const auto slot = static_cast<std::size_t>(j);
+          if ((cycle.uncertain >> slot & 1U) != 0) {
+            ++left_out;
+          } else if (cycle.valid) {
+            worst = std::max(worst, std::fabs(cycle.volts[slot] - test::true_volts(spec, j, cycle.sample[slot])));
+          }
+        }
+      }
+      EXPECT_GE(left_out, clicks / 2);
+      EXPECT_LE(left_out, 2 * clicks);
+      // A click where a slot begins is in no reading, only in the integral: 20 samples of it are 0.4 % of 0.4.
+      EXPECT_LT(worst, corner > 0.0 && length > 5 ? 4.0 * kNoiseBound : kNoiseBound);
+    }
+  }
+}
+
+TEST(LineInFindings, AnUnbalancedLineIsTold) {
+  for (const double left : {0.5, 1.7}) {
+    LineInSignalSpec spec = moving();
+    spec.full_scale_volts = 3.3;
+    spec.left_gain = [left](double) { return left; };
+    const Decoded decoded = decode(spec);
+    expect_only(decoded, "line-in.unbalanced");
+    EXPECT_NE(decoded.texts().find(left < 1.0 ? "left channel seems to be recorded at 0.5" : "at 1."),
+              std::string::npos)
+        << decoded.texts();
+    // Values come out as they are, at the other gain.
+    ASSERT_FALSE(decoded.cycles.empty());
+    const LineInCycle& cycle = decoded.cycles.back();
+    EXPECT_NEAR(cycle.volts[3], left * test::true_volts(spec, 3, cycle.sample[3]), left * kNoiseBound);
+  }
+  LineInSignalSpec slightly = moving();
+  slightly.left_gain = [](double) { return 0.8; };
+  EXPECT_TRUE(decode(slightly).findings.empty());
+}
+
+TEST(LineInFindings, AReferenceAmongTheSensorsIsTold) {
+  LineInSignalSpec spec = moving();
+  spec.reference_volts = 1.65;  // a board whose reference is not where the rig says
+  spec.volts = [](int axis, double t) { return 1.65 + (axis % 2 == 0 ? 0.3 : -0.3) + 0.1 * std::sin(4.0 * t + axis); };
+  const Decoded decoded = decode(spec);
+  expect_only(decoded, "line-in.no-reference");
+  EXPECT_FALSE(decoded.status.left_inverted);
+  EXPECT_FALSE(decoded.status.right_inverted);
+  EXPECT_LT(worst_error(spec, decoded), kNoiseBound);
+  // The user can say what the signal cannot.
+  spec.left_inverted = true;
+  LineInParameters parameters;
+  parameters.left = Polarity::kInverted;
+  const Decoded told = decode(spec, parameters);
+  EXPECT_TRUE(told.has("line-in.no-reference"));
+  EXPECT_TRUE(told.status.left_inverted);
+  EXPECT_LT(worst_error(spec, told), kNoiseBound);
+}
+
 TEST(LineInFindings, NothingButSilence) {
   std::mt19937 generator(1);
   std::normal_distribution<double> noise(0.0, 3e-4);
@@ -208,6 +318,17 @@ TEST(LineInFindings, TooLowALevelIsStillDecoded) {
   const Decoded decoded = decode(spec);
   expect_only(decoded, "line-in.low-level");
   EXPECT_LT(worst_error(spec, decoded), 0.02);
+}
+
+TEST(LineInFindings, TooLowARateIsTold) {
+  for (const double rate : {22050.0, 32000.0}) {
+    LineInSignalSpec spec = test::paper_electronics(rate, 5.0);
+    spec.noise = 2e-4;
+    spec.seconds = 4.0;
+    const Decoded decoded = decode(spec);
+    EXPECT_EQ(decoded.has("line-in.low-rate"), rate < 30000.0) << decoded.texts();
+    EXPECT_LT(worst_error(spec, decoded), 0.005) << rate;
+  }
 }
 
 TEST(LineInFindings, ClippedSlotsAreMarked) {
@@ -311,6 +432,32 @@ TEST(LineInFindings, HumIsToldAndCostsNoCycles) {
       invalid += cycle.valid ? 0 : 1;
     }
     EXPECT_LE(invalid, 6);
+  }
+}
+
+TEST(LineInFindings, SteadyHumIsTakenOut) {
+  // With harmonics, a mains a little off, a drifting clock and moving sensors.
+  for (const double mains : {49.97, 60.03}) {
+    for (const double amplitude : {0.002, 0.01, 0.03}) {
+      LineInSignalSpec spec = moving();
+      spec.seconds = 8.0;
+      spec.clock_offset = mains < 55.0 ? 0.03 : -0.06;
+      spec.clock_wander = 0.003;
+      auto samples = test::make_line_in_signal(spec).interleaved;
+      const double clean = worst_error(spec, test::decode_signal(samples, kRate), 2.0);
+      for (std::size_t n = 0; n < samples.size() / 2; ++n) {
+        const double phase = 2.0 * std::numbers::pi * mains * static_cast<double>(n) / kRate;
+        samples[2 * n] += static_cast<float>(
+            amplitude * (std::sin(phase) + 0.2 * std::sin(2.0 * phase + 1.0) + 0.4 * std::sin(3.0 * phase + 2.0)));
+      }
+      const Decoded decoded = test::decode_signal(samples, kRate);
+      SCOPED_TRACE(testing::Message() << mains << " Hz, " << amplitude << "\n" << decoded.texts());
+      if (amplitude > 0.002) {
+        expect_only(decoded, "line-in.hum");
+      }
+      // Not taken out it is up to 1.6 amplitudes of full scale (2.36 V), and as much again from the reference.
+      EXPECT_LT(worst_error(spec, decoded, 2.0), clean + 0.1 * 2.0 * 1.6 * amplitude * 3.3 / 1.4);
+    }
   }
 }
 

@@ -127,8 +127,11 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
   const evaluate::Truth truth = require(evaluate::load_truth(played.folder / "truth.json"));
   const SensorTruth felt(played.folder);
   const double shift = static_cast<double>(offset) / 48000.0;
+  constexpr double kBar = 0.2;  // degrees
+  int compared = 0;
   for (const auto smoothing : {solve::Smoothing::kNone, solve::Smoothing::kAdaptive, solve::Smoothing::kBridging}) {
     solve::SolveSettings wanted;
+    const bool is_default = smoothing == wanted.smoothing;
     wanted.smoothing = smoothing;
     wanted.calibration = "nominal";
     const solve::Solve wired = require(solve::solve_take(captured, wanted, {}));
@@ -138,22 +141,36 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
         times.push_back(t);
       }
     }
-    const motion::Clip direct = solved_without_wire(played, times, felt, wanted);
+    // Without the wire: the forces that the sensors felt, unfiltered, at the instants at which the wire gives them.
+    // Bridging is so sensitive to which instants these are that fast rotation comes out up to 1.8° apart (of 16°) when
+    // all are moved by a quarter of a cycle; there the wire is compared with the worst of four such choices. It is held
+    // against the very same instants for the default and for what does not depend on them.
+    const bool any_instants = smoothing == solve::Smoothing::kBridging && !is_default;
+    std::vector<evaluate::Evaluation> without;
+    for (int quarter = 0; quarter < (any_instants ? 4 : 1); ++quarter) {
+      std::vector<double> moved = times;
+      for (double& time : moved) {
+        time += quarter / 4.0 / 60.0;
+      }
+      without.push_back(require(evaluate::evaluate(solved_without_wire(played, moved, felt, wanted), 0.0, truth)));
+    }
     const evaluate::Evaluation with = require(evaluate::evaluate(wired.clip, -shift, truth));
-    const evaluate::Evaluation without = require(evaluate::evaluate(direct, 0.0, truth));
     for (const auto& [name, statistics] : with.segments) {
-      const evaluate::ErrorStatistics& bare = without.segments.at(name);
-      if (std::isnan(bare.inclination_rms_deg)) {
+      double rms = 0.0;
+      double mean = 0.0;
+      for (const evaluate::Evaluation& bare : without) {
+        rms = std::max(rms, bare.segments.at(name).inclination_rms_deg);
+        mean = std::max(mean, bare.segments.at(name).inclination_mean_deg);
+      }
+      if (std::isnan(without.front().segments.at(name).inclination_rms_deg)) {
         continue;  // no optical truth for this one
       }
-      std::printf("smoothing %d, %-10s inclination error, RMS: %.3f° by wire, %.3f° without\n",
-                  static_cast<int>(smoothing), name.c_str(), statistics.inclination_rms_deg, bare.inclination_rms_deg);
-      // Bridging also uses what lies between 30 Hz and the recordings' 140 Hz, which sixty readings a second cannot
-      // carry, and readings beyond the sensors' range: what it loses by the wire is printed, not bounded.
-      if (smoothing != solve::Smoothing::kBridging) {
-        EXPECT_LE(statistics.inclination_rms_deg, bare.inclination_rms_deg + 0.2) << name;
-        EXPECT_LE(statistics.inclination_mean_deg, bare.inclination_mean_deg + 0.2) << name;
-      }
+      std::printf("smoothing %d%s, %-10s inclination error, RMS: %.3f° by wire, %.3f° without (at the same instants)\n",
+                  static_cast<int>(smoothing), is_default ? " (default)" : "", name.c_str(),
+                  statistics.inclination_rms_deg, without.front().segments.at(name).inclination_rms_deg);
+      ++compared;
+      EXPECT_LE(statistics.inclination_rms_deg, rms + kBar) << name;
+      EXPECT_LE(statistics.inclination_mean_deg, mean + kBar) << name;
     }
     if (smoothing == solve::Smoothing::kBridging) {
       require(interchange::write_bvh(wired.clip, folder / "captured.bvh", {}));
@@ -162,6 +179,7 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
       EXPECT_NEAR(read.duration(), wired.clip.duration(), 0.05);
     }
   }
+  EXPECT_EQ(compared, 15) << "five sensors with optical truth, three ways of smoothing";
 }
 
 }  // namespace
