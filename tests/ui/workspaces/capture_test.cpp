@@ -109,12 +109,7 @@ class CaptureTest : public QObject {
     QCOMPARE(editor->text(), table->item(0, 0)->text());
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("0:00.50"));
-    qWarning() << "typed" << editor->text() << editor->hasFocus();
     QTest::keyClick(editor, Qt::Key_Return);
-    qWarning() << "item" << table->item(0, 0)->text() << table->currentColumn();
-    QTest::qWait(500);
-    for (int i = 0; i < capture.studio.context->undo_stack().count(); ++i) qWarning() << capture.studio.context->undo_stack().text(i);
-    qWarning() << "names" << table->item(0, 1)->text() << table->rowCount() << capture.live().snapshot()->recorded_s;
     QTRY_COMPARE(capture.studio.context->markers().markers().front().sample, std::int64_t{24000});
     // Dragged in the growing signal.
     auto* view = capture.find<OverviewView>("overview");
