@@ -79,6 +79,12 @@ fs::path old_folder(const fs::path& solves, const std::string& name) {
   return solves / ("." + name + std::string(kOld));
 }
 
+// Where a solve is: under its name, or aside when saving was killed between two renames.
+fs::path folder_of(const fs::path& solves, const std::string& name) {
+  std::error_code code;
+  return fs::is_directory(solves / name, code) ? solves / name : old_folder(solves, name);
+}
+
 // `part` gets the name `target`. What had it is in `part` or gone afterwards.
 Status put_in_place(const fs::path& part, const fs::path& target, const fs::path& old) {
   std::error_code code;
@@ -238,7 +244,8 @@ std::vector<std::string> list_solves(const take::Take& take) {
     }
     if (!name.starts_with('.') && name.find(kDamaged) == std::string::npos) {
       names.push_back(name);
-    } else if (name.starts_with('.') && name.ends_with(kOld) && !fs::exists(solves / name.substr(1, name.size() - 1 - kOld.size()), code)) {
+    } else if (name.starts_with('.') && name.ends_with(kOld) &&
+               !fs::exists(solves / name.substr(1, name.size() - 1 - kOld.size()), code)) {
       names.push_back(name.substr(1, name.size() - 1 - kOld.size()));
     }
   }
