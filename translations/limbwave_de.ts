@@ -1435,10 +1435,6 @@
         <translation>Leitung: %1 Zyklen/s, Schwankung %2 %, Kopplung %3 ± %4 Hz, Rauschen %5 dB, %6 Zyklen, %7 verloren</translation>
     </message>
     <message>
-        <source>%1 usable %2 %, gravity explains %3 %, %4 g at rest</source>
-        <translation>%1: %2 % brauchbar, %3 % durch die Schwerkraft erklärt, in Ruhe %4 g</translation>
-    </message>
-    <message>
         <source>no readings yet</source>
         <translation>noch keine Messwerte</translation>
     </message>
@@ -1457,10 +1453,6 @@
     <message>
         <source>reads %1 g at rest instead of 1 g; %2</source>
         <translation>zeigt in Ruhe %1 g statt 1 g; %2</translation>
-    </message>
-    <message>
-        <source>check the cable</source>
-        <translation>das Kabel prüfen</translation>
     </message>
     <message>
         <source>repeat its range calibration</source>
@@ -1650,12 +1642,183 @@
         <source>calibrate its sensors, or choose another --calibration</source>
         <translation>seine Sensoren kalibrieren oder eine andere --calibration wählen</translation>
     </message>
+    <message>
+        <source>has no inputs %1 and %2, only %3</source>
+        <translation>hat keine Eingänge %1 und %2, nur %3</translation>
+    </message>
+    <message>
+        <source>choose other inputs</source>
+        <translation>andere Eingänge wählen</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>is damaged, or of a kind that cannot be read (%1)</source>
+        <translation>ist beschädigt oder von einer Art, die sich nicht lesen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>copy it again from the recorder, or accept what is there</source>
+        <translation>noch einmal vom Aufnahmegerät kopieren oder nehmen, was da ist</translation>
+    </message>
+    <message>
+        <source>the calibration has &quot;%1&quot; where the rig has &quot;%2&quot;</source>
+        <translation>die Kalibrierung hat „%1“, wo das Rig „%2“ hat</translation>
+    </message>
+    <message>
+        <source>put the entries into the order of the rig, or calibrate again</source>
+        <translation>die Einträge in die Reihenfolge des Rigs bringen oder neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>does not fit: the disk is nearly full (%1 MB left)</source>
+        <translation>passt nicht: der Datenträger ist fast voll (noch %1 MB)</translation>
+    </message>
+    <message>
+        <source>make room, or choose another disk</source>
+        <translation>Platz schaffen oder einen anderen Datenträger wählen</translation>
+    </message>
+    <message>
+        <source>%1; it is not used</source>
+        <translation>%1; sie wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>the samples are not those that were recorded (checksum %1, recorded %2)</source>
+        <translation>die Abtastwerte sind nicht die aufgenommenen (Prüfsumme %1, aufgenommen %2)</translation>
+    </message>
+    <message>
+        <source>copy the take again; the disk or the card may be failing</source>
+        <translation>den Take noch einmal kopieren; vielleicht versagt der Datenträger oder die Karte</translation>
+    </message>
+    <message>
+        <source>was being replaced and was put back</source>
+        <translation>wurde gerade ersetzt und ist wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>segment &quot;%1&quot; reached beyond the end of the take and was shortened</source>
+        <translation>der Abschnitt „%1“ reichte über das Ende des Takes hinaus und wurde gekürzt</translation>
+    </message>
+    <message>
+        <source>the calibration was not of this rig and was removed</source>
+        <translation>die Kalibrierung war nicht von diesem Rig und wurde entfernt</translation>
+    </message>
+    <message>
+        <source>the inclination at %1 s is not a number</source>
+        <translation>die Neigung bei %1 s ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>solve with another smoothing, and report this with the take</source>
+        <translation>mit einer anderen Glättung lösen und dies mit dem Take melden</translation>
+    </message>
+    <message>
+        <source>a slot of the board lasts only %1 samples at %2 samples a second</source>
+        <translation>ein Slot der Platine dauert nur %1 Abtastwerte bei %2 Abtastwerten je Sekunde</translation>
+    </message>
+    <message>
+        <source>record at %1 at least, or correct the rig&apos;s cycle rate</source>
+        <translation>mit mindestens %1 aufnehmen oder die Zyklusrate des Rigs berichtigen</translation>
+    </message>
+    <message>
+        <source>use chain, adaptive, bridging or none</source>
+        <translation>chain, adaptive, bridging oder none verwenden</translation>
+    </message>
+    <message>
+        <source>%1 usable %2 %, gravity explains %3 %, %4</source>
+        <translation>%1: %2 % brauchbar, die Schwerkraft erklärt %3 %, %4</translation>
+    </message>
+    <message>
+        <source>%1 g at rest</source>
+        <translation>%1 g in Ruhe</translation>
+    </message>
+    <message>
+        <source>never at rest</source>
+        <translation>nie in Ruhe</translation>
+    </message>
+    <message>
+        <source>check its cable and plug</source>
+        <translation>Kabel und Stecker prüfen</translation>
+    </message>
+    <message>
+        <source>sits on &quot;%1&quot;, which is no segment of the skeleton, and is left out</source>
+        <translation>sitzt an „%1“, das kein Segment des Skeletts ist, und wird weggelassen</translation>
+    </message>
+    <message>
+        <source>was changed by another program: its joints have keys at different times</source>
+        <translation>wurde von einem anderen Programm geändert: seine Gelenke haben Keys zu verschiedenen Zeiten</translation>
+    </message>
+    <message>
+        <source>solve the take again, or import the changed clip elsewhere</source>
+        <translation>den Take neu lösen oder den geänderten Clip anderswo importieren</translation>
+    </message>
+    <message>
+        <source>turn this sensor slowly about all axes again: limbwave calibrate range</source>
+        <translation>diesen Sensor noch einmal langsam um alle Achsen drehen: limbwave calibrate range</translation>
+    </message>
+    <message>
+        <source>hold the poses again, still and exact: limbwave calibrate limb</source>
+        <translation>die Posen noch einmal halten, still und genau: limbwave calibrate limb</translation>
+    </message>
+    <message>
+        <source>the take&apos;s own %1 calibration is poor: %2</source>
+        <translation>die eigene %1-Kalibrierung des Takes ist schlecht: %2</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
     <message>
         <source>Simulator: %1</source>
         <translation>Simulator: %1</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceFormat</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>the device does not say what it offers; another program may be using it</source>
+        <translation>das Gerät sagt nicht, was es bietet; vielleicht benutzt es ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>the device does not run at this rate</source>
+        <translation>mit dieser Rate läuft das Gerät nicht</translation>
+    </message>
+    <message>
+        <source>the device does not give such samples</source>
+        <translation>solche Abtastwerte liefert das Gerät nicht</translation>
+    </message>
+    <message>
+        <source>Left %1, right %2</source>
+        <translation>Links %1, rechts %2</translation>
+    </message>
+    <message>
+        <source>Other inputs</source>
+        <translation>Andere Eingänge</translation>
+    </message>
+    <message>
+        <source>the device is mono; the board needs two channels</source>
+        <translation>das Gerät ist mono; die Platine braucht zwei Kanäle</translation>
+    </message>
+    <message>
+        <source>the device has no more than these</source>
+        <translation>mehr als diese hat das Gerät nicht</translation>
+    </message>
+    <message>
+        <source>%1 bit float</source>
+        <translation>%1 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>%1 bit</source>
+        <translation>%1 Bit</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, inputs %2 + %3</source>
+        <translation>%1, Eingänge %2 + %3</translation>
     </message>
 </context>
 <context>
@@ -1951,10 +2114,6 @@
         <translation>%1: die Schwerkraft allein erklärt nur %2 der Messwerte.</translation>
     </message>
     <message>
-        <source>The limb moved fast. Bridging or stronger smoothing helps.</source>
-        <translation>Das Glied bewegte sich schnell. Überbrücken oder stärkeres Glätten hilft.</translation>
-    </message>
-    <message>
         <source>%1: good.</source>
         <translation>%1: gut.</translation>
     </message>
@@ -2049,6 +2208,18 @@
     <message>
         <source>As adaptive, and carries the limb on through bursts of acceleration.</source>
         <translation>Wie anpassend, und führt das Glied durch Beschleunigungsstöße weiter.</translation>
+    </message>
+    <message>
+        <source>The limb moved fast. Smoothing the whole chain helps.</source>
+        <translation>Die Gliedmaße bewegte sich schnell. Die ganze Kette zu glätten hilft.</translation>
+    </message>
+    <message>
+        <source>Whole chain</source>
+        <translation>Ganze Kette</translation>
+    </message>
+    <message>
+        <source>All limbs together: what their own swinging makes the sensors feel is taken into account. Check the bone lengths.</source>
+        <translation>Alle Gliedmaßen zusammen: was ihr eigenes Schwingen die Sensoren spüren lässt, wird berücksichtigt. Prüfen Sie die Knochenlängen.</translation>
     </message>
 </context>
 <context>
@@ -2329,18 +2500,18 @@
     </message>
 </context>
 <context>
-    <name>TakeCalibrationCommand</name>
+    <name>TakeSegments</name>
     <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
+        <source>Sensors are turned</source>
+        <translation>Sensoren werden gedreht</translation>
     </message>
     <message>
-        <source>Saving the take</source>
-        <translation>Take wird gespeichert</translation>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
     <message>
-        <source>The calibration is not saved in the take</source>
-        <translation>Die Kalibrierung ist nicht im Take gespeichert</translation>
+        <source>Capture</source>
+        <translation>Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -2507,10 +2678,6 @@
         <translation>Befestigung kalibrieren</translation>
     </message>
     <message>
-        <source>Compute from this take</source>
-        <translation>Aus diesem Take berechnen</translation>
-    </message>
-    <message>
         <source>Use the library&apos;s calibration</source>
         <translation>Kalibrierung der Bibliothek verwenden</translation>
     </message>
@@ -2537,18 +2704,6 @@
     <message>
         <source> Worn by %1.</source>
         <translation> Getragen von %1.</translation>
-    </message>
-    <message>
-        <source>Range of all sensors</source>
-        <translation>Bereich aller Sensoren</translation>
-    </message>
-    <message>
-        <source>Mounting: %1</source>
-        <translation>Befestigung: %1</translation>
-    </message>
-    <message>
-        <source>This take has no stretch in which sensors are turned or poses held.</source>
-        <translation>In diesem Take gibt es keinen Abschnitt, in dem Sensoren gedreht oder Posen gehalten werden.</translation>
     </message>
     <message>
         <source>The newest of every sensor and of this wearer&apos;s mountings</source>
@@ -2590,6 +2745,14 @@
         <source>Calibrate the mounting again whenever the sensors are put on anew or have slipped.</source>
         <translation>Kalibrieren Sie die Befestigung neu, sobald die Sensoren neu angelegt wurden oder verrutscht sind.</translation>
     </message>
+    <message>
+        <source>From a recording</source>
+        <translation>Aus einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>Calibrate from a stretch of a take in which sensors were turned or poses held</source>
+        <translation>Aus einem Abschnitt eines Takes kalibrieren, in dem Sensoren gedreht oder Posen gehalten wurden</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CalibrateWorkspace</name>
@@ -2606,24 +2769,12 @@
         <translation>Gerät unter „Aufnehmen“ öffnen</translation>
     </message>
     <message>
-        <source>Choose a take</source>
-        <translation>Take wählen</translation>
-    </message>
-    <message>
         <source>Range calibration</source>
         <translation>Bereichskalibrierung</translation>
     </message>
     <message>
         <source>Mounting calibration</source>
         <translation>Befestigungskalibrierung</translation>
-    </message>
-    <message>
-        <source>Range calibration from %1</source>
-        <translation>Bereichskalibrierung aus %1</translation>
-    </message>
-    <message>
-        <source>Mounting calibration from %1</source>
-        <translation>Befestigungskalibrierung aus %1</translation>
     </message>
     <message>
         <source>%1 of %2 is saved and in use.</source>
@@ -2652,6 +2803,14 @@
     <message>
         <source>Leave a calibration, asking first</source>
         <translation>Eine Kalibrierung verlassen, nach Rückfrage</translation>
+    </message>
+    <message>
+        <source>Calibrate from a recording</source>
+        <translation>Aus einer Aufnahme kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibration from a recording</source>
+        <translation>Kalibrierung aus einer Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -2688,6 +2847,77 @@
         <source>The calibration is kept in the library, but what it was made for is closed: the capture or take at hand is unchanged.</source>
         <translation>Die Kalibrierung ist in der Bibliothek, aber das, wofür sie gemacht wurde, ist geschlossen: die jetzige Erfassung oder der jetzige Take bleibt unverändert.</translation>
     </message>
+    <message>
+        <source>The calibration is not saved in the take</source>
+        <translation>Die Kalibrierung ist nicht im Take gespeichert</translation>
+    </message>
+    <message>
+        <source>The calibration is not saved in the library</source>
+        <translation>Die Kalibrierung ist nicht in der Bibliothek gespeichert</translation>
+    </message>
+    <message>
+        <source>The calibration is not taken out of the library</source>
+        <translation>Die Kalibrierung ist nicht aus der Bibliothek genommen</translation>
+    </message>
+    <message>
+        <source>range calibration</source>
+        <translation>Kalibrierung des Messbereichs</translation>
+    </message>
+    <message>
+        <source>mounting calibration</source>
+        <translation>Kalibrierung des Sitzes</translation>
+    </message>
+    <message>
+        <source>choice of calibration</source>
+        <translation>Wahl der Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::CalibrationWizard</name>
+    <message>
+        <source>Sounds</source>
+        <translation>Töne</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Sounds are on: the countdown is heard. Press to mute.</source>
+        <translation>Töne sind an: Man hört den Countdown. Drücken: stumm.</translation>
+    </message>
+    <message>
+        <source>Sounds are off. Press to hear the countdown.</source>
+        <translation>Töne sind aus. Drücken, um den Countdown zu hören.</translation>
+    </message>
+    <message>
+        <source>Open a device in Capture</source>
+        <translation>Gerät unter „Aufnehmen“ öffnen</translation>
+    </message>
+    <message>
+        <source>%1 calibrated</source>
+        <translation>%1 kalibriert</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 calibrated, repeat the others</source>
+        <translation>%1 von %2 kalibriert, die anderen wiederholen</translation>
+    </message>
+    <message>
+        <source>Signal: &lt;b&gt;%1&lt;/b&gt;</source>
+        <translation>Signal: &lt;b&gt;%1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No signal comes in.&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Es kommt kein Signal.&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>The verdicts of %1 are not saved yet.</source>
+        <translation>Die Urteile zu %1 sind noch nicht gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CaptureModel</name>
@@ -2700,8 +2930,16 @@
         <translation>Sucht nach Geräten</translation>
     </message>
     <message>
-        <source>Marker %1</source>
-        <translation>Marke %1</translation>
+        <source>rig</source>
+        <translation>Rig</translation>
+    </message>
+    <message>
+        <source>subject</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>name of the take</source>
+        <translation>Name des Takes</translation>
     </message>
 </context>
 <context>
@@ -2765,6 +3003,26 @@
     <message>
         <source>Solve it</source>
         <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Rename the selected marker</source>
+        <translation>Die gewählte Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Delete the selected marker</source>
+        <translation>Die gewählte Marke löschen</translation>
+    </message>
+    <message>
+        <source>Shift+← / →</source>
+        <translation>Umschalt+← / →</translation>
+    </message>
+    <message>
+        <source>In the signal: move the selected marker by 10 ms, with Ctrl by 100 ms</source>
+        <translation>Im Signal: die gewählte Marke um 10 ms verschieben, mit Strg um 100 ms</translation>
     </message>
 </context>
 <context>
@@ -3120,10 +3378,6 @@
         <translation>Signal verloren</translation>
     </message>
     <message>
-        <source>The device stopped sending. Plug it in again and open it in Capture.</source>
-        <translation>Das Gerät sendet nicht mehr. Stecken Sie es wieder ein und öffnen Sie es unter „Aufnehmen“.</translation>
-    </message>
-    <message>
         <source>lost</source>
         <translation>verloren</translation>
     </message>
@@ -3171,16 +3425,24 @@
         <source>hold</source>
         <translation>halten</translation>
     </message>
+    <message>
+        <source>The device is back</source>
+        <translation>Das Gerät ist wieder da</translation>
+    </message>
+    <message>
+        <source>Go back and start the poses again.</source>
+        <translation>Zurückgehen und die Posen neu beginnen.</translation>
+    </message>
+    <message>
+        <source>The device stopped sending. Plug it in again, open it in Capture, then go back and start the poses again. What was held until then is kept.</source>
+        <translation>Das Gerät sendet nicht mehr. Wieder einstecken, unter „Aufnehmen“ öffnen, dann zurückgehen und die Posen neu beginnen. Was bis dahin gehalten wurde, bleibt erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::LimbWizard</name>
     <message>
         <source>Calibrate mounting</source>
         <translation>Befestigung kalibrieren</translation>
-    </message>
-    <message>
-        <source>Not saved: %1</source>
-        <translation>Nicht gespeichert: %1</translation>
     </message>
     <message>
         <source>Which limb, and which of its sensors?</source>
@@ -3203,10 +3465,6 @@
         <translation>Zuerst ihren Bereich kalibrieren</translation>
     </message>
     <message>
-        <source>Open a device in Capture</source>
-        <translation>Gerät unter „Aufnehmen“ öffnen</translation>
-    </message>
-    <message>
         <source>After Start you have the time below to take the first pose. It is captured by itself as soon as everything is still for a second; a sound tells, and the second pose follows. No key is needed.</source>
         <translation>Nach „Start“ haben Sie so lange wie unten angegeben, um die erste Pose einzunehmen. Sie wird von selbst erfasst, sobald alles eine Sekunde lang ruhig ist; ein Ton meldet es, und die zweite Pose folgt. Eine Taste ist nicht nötig.</translation>
     </message>
@@ -3221,10 +3479,6 @@
     <message>
         <source>Repeat both poses</source>
         <translation>Beide Posen wiederholen</translation>
-    </message>
-    <message>
-        <source>The verdicts of %1 are not saved yet.</source>
-        <translation>Die Ergebnisse von %1 sind noch nicht gespeichert.</translation>
     </message>
     <message>
         <source>The pose that was held would not be used.</source>
@@ -3273,14 +3527,6 @@
     <message>
         <source>, </source>
         <translation>, </translation>
-    </message>
-    <message>
-        <source>Signal: %1</source>
-        <translation>Signal: %1</translation>
-    </message>
-    <message>
-        <source>No signal comes in.</source>
-        <translation>Es kommt kein Signal.</translation>
     </message>
     <message>
         <source>Limb</source>
@@ -3333,18 +3579,6 @@
     <message>
         <source>Back to the verdict</source>
         <translation>Zurück zum Ergebnis</translation>
-    </message>
-    <message>
-        <source>%1 calibrated</source>
-        <translation>%1 kalibriert</translation>
-    </message>
-    <message>
-        <source>Repeat</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 calibrated, repeat the others</source>
-        <translation>%1 von %2 kalibriert, die übrigen wiederholen</translation>
     </message>
     <message>
         <source>%1 %2; %3.</source>
@@ -3408,6 +3642,10 @@
     <message>
         <source>Checking the mounting</source>
         <translation>Befestigung wird geprüft</translation>
+    </message>
+    <message>
+        <source>The device died. Go back and start again when it is there.</source>
+        <translation>Das Gerät ist ausgefallen. Zurückgehen und neu beginnen, wenn es wieder da ist.</translation>
     </message>
 </context>
 <context>
@@ -3505,6 +3743,33 @@
     </message>
 </context>
 <context>
+    <name>limbwave::ui::MarkerModel</name>
+    <message>
+        <source>Marker %1</source>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>set marker</source>
+        <translation>Marke setzen</translation>
+    </message>
+    <message>
+        <source>rename marker</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>move marker</source>
+        <translation>Marke verschieben</translation>
+    </message>
+    <message>
+        <source>delete marker</source>
+        <translation>Marke löschen</translation>
+    </message>
+    <message>
+        <source>The marker is not saved</source>
+        <translation>Die Marke ist nicht gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>limbwave::ui::MarkerPanel</name>
     <message>
         <source>Markers</source>
@@ -3521,6 +3786,38 @@
     <message>
         <source>Set a marker at this moment of the recording (M)</source>
         <translation>An dieser Stelle der Aufnahme eine Marke setzen (M)</translation>
+    </message>
+    <message>
+        <source>Rename the marker (F2)</source>
+        <translation>Die Marke umbenennen (F2)</translation>
+    </message>
+    <message>
+        <source>Delete the marker (Delete)</source>
+        <translation>Die Marke löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Double click to type another time</source>
+        <translation>Doppelklick: eine andere Zeit eintippen</translation>
+    </message>
+    <message>
+        <source>Press M while recording. In the signal below, double click at the upper edge.</source>
+        <translation>Während der Aufnahme M drücken. Unten im Signal: Doppelklick am oberen Rand.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time.</source>
+        <translation>„%1“ ist keine Zeit.</translation>
+    </message>
+    <message>
+        <source>Write it like 1:07.3 or 67.3.</source>
+        <translation>Zum Beispiel 1:07,3 oder 67,3 schreiben.</translation>
     </message>
 </context>
 <context>
@@ -3594,10 +3891,6 @@
         <translation>Aufgenommenes Signal</translation>
     </message>
     <message>
-        <source>Wheel: zoom. Drag: move. Double click: show all.</source>
-        <translation>Rad: vergrößern. Ziehen: verschieben. Doppelklick: alles zeigen.</translation>
-    </message>
-    <message>
         <source>The take is empty.</source>
         <translation>Der Take ist leer.</translation>
     </message>
@@ -3608,6 +3901,14 @@
     <message>
         <source> s</source>
         <translation> s</translation>
+    </message>
+    <message>
+        <source>%1 at %2. Drag: move. Double click: rename. Delete: delete.</source>
+        <translation>%1 bei %2. Ziehen: verschieben. Doppelklick: umbenennen. Entf: löschen.</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Drag: move. Double click: show all; at the upper edge: set a marker there.</source>
+        <translation>Rad: Zoom. Ziehen: verschieben. Doppelklick: alles zeigen; am oberen Rand: dort eine Marke setzen.</translation>
     </message>
 </context>
 <context>
@@ -3677,10 +3978,6 @@
     <message>
         <source>Signal lost</source>
         <translation>Signal verloren</translation>
-    </message>
-    <message>
-        <source>The device stopped sending. Plug it in again and open it in Capture.</source>
-        <translation>Das Gerät sendet nicht mehr. Stecken Sie es wieder ein und öffnen Sie es unter „Aufnehmen“.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1 %&lt;/b&gt; of the sphere, %2 % needed&lt;br&gt;&lt;b&gt;%3 s&lt;/b&gt; steady, %4 s needed&lt;br&gt;%5 turned</source>
@@ -3754,6 +4051,30 @@
         <source>Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.</source>
         <translation>Bringen Sie den blauen Pfeil des Kastens nach oben; auf der Karte den weißen Punkt in den blauen Ring.</translation>
     </message>
+    <message>
+        <source>The device is back</source>
+        <translation>Das Gerät ist wieder da</translation>
+    </message>
+    <message>
+        <source>Start over to turn the sensors once more.</source>
+        <translation>„Von vorn“, um die Sensoren noch einmal zu drehen.</translation>
+    </message>
+    <message>
+        <source>The device stopped sending. Plug it in again and open it in Capture, then start over.</source>
+        <translation>Das Gerät sendet nicht mehr. Wieder einstecken, unter „Aufnehmen“ öffnen, dann von vorn.</translation>
+    </message>
+    <message>
+        <source>Or finish with what was turned until then; it is kept.</source>
+        <translation>Oder mit dem beenden, was bis dahin gedreht wurde; es bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Nothing had been turned yet.</source>
+        <translation>Noch war nichts gedreht.</translation>
+    </message>
+    <message>
+        <source>The device is gone: open it in Capture first.</source>
+        <translation>Das Gerät ist weg: zuerst unter „Aufnehmen“ öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::RangeWizard</name>
@@ -3782,10 +4103,6 @@
         <translation>Bereich kalibrieren</translation>
     </message>
     <message>
-        <source>Not saved: %1</source>
-        <translation>Nicht gespeichert: %1</translation>
-    </message>
-    <message>
         <source>Which sensors?</source>
         <translation>Welche Sensoren?</translation>
     </message>
@@ -3796,10 +4113,6 @@
     <message>
         <source>Several sensors can be calibrated at once: fix them in one small box so that none can slip, and turn the box.</source>
         <translation>Mehrere Sensoren lassen sich zugleich kalibrieren: befestigen Sie sie rutschfest in einem kleinen Kasten und drehen Sie den Kasten.</translation>
-    </message>
-    <message>
-        <source>Open a device in Capture</source>
-        <translation>Gerät unter „Aufnehmen“ öffnen</translation>
     </message>
     <message>
         <source>&lt;b&gt;Hold the box in both hands&lt;/b&gt;, cables slack. Sit down: it takes about a minute.</source>
@@ -3816,14 +4129,6 @@
     <message>
         <source>The map fills up as you turn. It always names the direction that is missing most.</source>
         <translation>Die Karte füllt sich beim Drehen. Sie nennt immer die Richtung, die am meisten fehlt.</translation>
-    </message>
-    <message>
-        <source>Signal: &lt;b&gt;%1&lt;/b&gt;</source>
-        <translation>Signal: &lt;b&gt;%1&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;No signal comes in.&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Es kommt kein Signal.&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Sensors</source>
@@ -3870,22 +4175,6 @@
         <translation>%1 speichern</translation>
     </message>
     <message>
-        <source>%1 calibrated</source>
-        <translation>%1 kalibriert</translation>
-    </message>
-    <message>
-        <source>Repeat</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 calibrated, repeat the others</source>
-        <translation>%1 von %2 kalibriert, die übrigen wiederholen</translation>
-    </message>
-    <message>
-        <source>The verdicts of %1 are not saved yet.</source>
-        <translation>Die Ergebnisse von %1 sind noch nicht gespeichert.</translation>
-    </message>
-    <message>
         <source>What was turned until now would not be used.</source>
         <translation>Das bisher Gedrehte würde nicht verwendet.</translation>
     </message>
@@ -3919,6 +4208,10 @@
     <message>
         <source>Computing the range calibration</source>
         <translation>Bereichskalibrierung wird berechnet</translation>
+    </message>
+    <message>
+        <source>The device died before anything was turned. Start over when it is back.</source>
+        <translation>Das Gerät fiel aus, bevor etwas gedreht war. Von vorn, wenn es wieder da ist.</translation>
     </message>
 </context>
 <context>
@@ -4037,6 +4330,13 @@
     <message>
         <source>How long recording lasts until the disk is full</source>
         <translation>Wie lange aufgenommen werden kann, bis die Platte voll ist</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SaveQueue</name>
+    <message>
+        <source>Saving the take</source>
+        <translation>Der Take wird gespeichert</translation>
     </message>
 </context>
 <context>
@@ -4469,8 +4769,52 @@
         <translation>Wählen Sie ein Gerät</translation>
     </message>
     <message>
-        <source>%1, %2 bit</source>
-        <translation>%1, %2 Bit</translation>
+        <source>%1 (file %2)</source>
+        <translation>%1 (Datei %2)</translation>
+    </message>
+    <message>
+        <source>What is worn where: %1</source>
+        <translation>Was wo getragen wird: %1</translation>
+    </message>
+    <message>
+        <source>Stop recording to choose another rig</source>
+        <translation>Die Aufnahme beenden, um ein anderes Rig zu wählen</translation>
+    </message>
+    <message>
+        <source>Stop recording to choose another device</source>
+        <translation>Die Aufnahme beenden, um ein anderes Gerät zu wählen</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Sampling rate, sample format and inputs: %1</source>
+        <translation>Abtastrate, Format und Eingänge: %1</translation>
+    </message>
+    <message>
+        <source>Sampling rate, sample format and inputs</source>
+        <translation>Abtastrate, Format und Eingänge</translation>
+    </message>
+    <message>
+        <source>Stop recording to choose another format</source>
+        <translation>Die Aufnahme beenden, um ein anderes Format zu wählen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Sampling rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>Sample format</source>
+        <translation>Format der Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingänge</translation>
     </message>
 </context>
 <context>
@@ -4501,6 +4845,195 @@
     <message>
         <source>Take: %1</source>
         <translation>Take: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::StretchModel</name>
+    <message>
+        <source>Reading the signals of %1</source>
+        <translation>Die Signale von %1 werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading was cancelled.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Sensors are turned</source>
+        <translation>Sensoren werden gedreht</translation>
+    </message>
+    <message>
+        <source>Pose %1: %2</source>
+        <translation>Pose %1: %2</translation>
+    </message>
+    <message>
+        <source>Open a take first.</source>
+        <translation>Zuerst einen Take öffnen.</translation>
+    </message>
+    <message>
+        <source>The signals are still being read.</source>
+        <translation>Die Signale werden noch gelesen.</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no readings. Choose another stretch.</source>
+        <translation>„%1“ enthält keine Messwerte. Einen anderen Abschnitt wählen.</translation>
+    </message>
+    <message>
+        <source>The two poses overlap. Move them apart.</source>
+        <translation>Die beiden Posen überschneiden sich. Auseinanderziehen.</translation>
+    </message>
+    <message>
+        <source>Computing the range calibration</source>
+        <translation>Der Messbereich wird berechnet</translation>
+    </message>
+    <message>
+        <source>Computing the mounting</source>
+        <translation>Der Sitz wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::StretchPage</name>
+    <message>
+        <source>Other take</source>
+        <translation>Anderer Take</translation>
+    </message>
+    <message>
+        <source>Show the verdict</source>
+        <translation>Urteil zeigen</translation>
+    </message>
+    <message>
+        <source>Calibrate from a recording</source>
+        <translation>Aus einer Aufnahme kalibrieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Take</translation>
+    </message>
+    <message>
+        <source>&amp;Movement</source>
+        <translation>&amp;Bewegung</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>&amp;Shown sensor</source>
+        <translation>&amp;Gezeigter Sensor</translation>
+    </message>
+    <message>
+        <source>Shown sensor</source>
+        <translation>Gezeigter Sensor</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Take what is visible</source>
+        <translation>Sichtbares nehmen</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose a take</source>
+        <translation>Einen Take wählen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Range: sensors are turned</source>
+        <translation>Messbereich: Sensoren werden gedreht</translation>
+    </message>
+    <message>
+        <source>Mounting: two poses of %1</source>
+        <translation>Sitz: zwei Posen, %1</translation>
+    </message>
+    <message>
+        <source>Open a take: its signals appear here.</source>
+        <translation>Einen Take öffnen: Seine Signale erscheinen hier.</translation>
+    </message>
+    <message>
+        <source>Reading the signals…</source>
+        <translation>Die Signale werden gelesen…</translation>
+    </message>
+    <message>
+        <source>The same procedure as with a running capture. Nothing is saved before you have seen the verdict.</source>
+        <translation>Dasselbe Verfahren wie bei laufender Aufnahme. Nichts wird gespeichert, bevor das Urteil zu sehen war.</translation>
+    </message>
+    <message>
+        <source>Own choice</source>
+        <translation>Eigene Wahl</translation>
+    </message>
+    <message>
+        <source>The whole take</source>
+        <translation>Der ganze Take</translation>
+    </message>
+    <message>
+        <source>%1 s long</source>
+        <translation>%1 s lang</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::StretchPlot</name>
+    <message>
+        <source>Accelerations of the take</source>
+        <translation>Beschleunigungen des Takes</translation>
+    </message>
+    <message>
+        <source>Drag a stretch or its ends. Wheel: zoom. Drag beside it: move. Double click: show all.</source>
+        <translation>Einen Abschnitt oder seine Enden ziehen. Rad: Zoom. Daneben ziehen: verschieben. Doppelklick: alles zeigen.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>%1 g</source>
+        <translation>%1 g</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
     </message>
 </context>
 <context>

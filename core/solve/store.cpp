@@ -244,7 +244,8 @@ std::vector<std::string> list_solves(const take::Take& take) {
     }
     if (!name.starts_with('.') && name.find(kDamaged) == std::string::npos) {
       names.push_back(name);
-    } else if (name.starts_with('.') && name.ends_with(kOld) && !fs::exists(solves / name.substr(1, name.size() - 1 - kOld.size()), code)) {
+    } else if (name.starts_with('.') && name.ends_with(kOld) &&
+               !fs::exists(solves / name.substr(1, name.size() - 1 - kOld.size()), code)) {
       names.push_back(name.substr(1, name.size() - 1 - kOld.size()));
     }
   }

@@ -1,12 +1,14 @@
 #include "calibration/calibration_desk.h"
 
+#include <QCoreApplication>
 #include <QDateTime>
+#include <QPointer>
 #include <algorithm>
 #include <utility>
 
 #include "base/files.h"
+#include "calibration/calibration_command.h"
 #include "calibration/calibration_words.h"
-#include "calibration/take_calibration_command.h"
 
 namespace limbwave::ui {
 
@@ -25,6 +27,11 @@ bool same_sensors(const body::Rig& a, const body::Rig& b) {
   return a.name == b.name &&
          std::equal(a.accelerometers.begin(), a.accelerometers.end(), b.accelerometers.begin(), b.accelerometers.end(),
                     [](const auto& x, const auto& y) { return x.name == y.name && x.serial == y.serial; });
+}
+
+bool fits(const calibrate::RigCalibration& calibration, const body::Rig& rig) {
+  return calibration.sensors.size() == rig.accelerometers.size() &&
+         calibration.mounts.size() == rig.accelerometers.size();
 }
 
 calibrate::RigCalibration with_change(calibrate::RigCalibration calibration, const CalibrationChange& change) {
@@ -105,8 +112,7 @@ void CalibrationDesk::follow() {
   } else {
     calibration_ = {};
   }
-  if (has_rig() && (calibration_.sensors.size() != rig().accelerometers.size() ||
-                    calibration_.mounts.size() != rig().accelerometers.size())) {
+  if (has_rig() && !fits(calibration_, rig())) {
     calibration_ = calibrate::nominal_calibration(rig());
   }
   if (has_rig()) {
@@ -152,46 +158,96 @@ CalibrationDesk::Target CalibrationDesk::target() const {
 }
 
 bool CalibrationDesk::is_current(const Target& target) const {
-  return has_rig() && target.subject == subject() && same_sensors(target.rig, rig()) &&
-         (target.subject != Subject::kTake || target.take == context_.document().take()->folder);
+  switch (target.subject) {
+    case Subject::kLive:
+      return source_.running() && same_sensors(target.rig, source_.rig());
+    case Subject::kTake: {
+      const auto& open = context_.document().take();
+      return context_.document().is_open() && open->folder == target.take && same_sensors(target.rig, open->info.rig);
+    }
+    case Subject::kNone:
+      break;
+  }
+  return false;
 }
 
-const calibrate::RigCalibration& CalibrationDesk::calibration_of(const Target& target) const {
-  if (same_sensors(target.rig, known_rig_)) {
+calibrate::RigCalibration CalibrationDesk::calibration_of(const Target& target) const {
+  const std::optional<calibrate::RigCalibration> now = in_use(target);
+  if (now && fits(*now, target.rig)) {
+    return *now;
+  }
+  if (!is_current(target) && same_sensors(target.rig, known_rig_)) {
     return known_;
   }
-  nominal_ = calibrate::nominal_calibration(target.rig);
-  return nominal_;
+  return calibrate::nominal_calibration(target.rig);
 }
 
-void CalibrationDesk::save(const Target& target, CalibrationChange change, std::function<void(const Status&)> done) {
-  std::vector<std::pair<std::string, calibrate::SensorCalibration>> ranges;
+std::optional<calibrate::RigCalibration> CalibrationDesk::in_use(const Target& target) const {
+  if (!is_current(target)) {
+    return std::nullopt;
+  }
+  return target.subject == Subject::kLive ? source_.calibration() : context_.document().take()->info.calibration;
+}
+
+bool CalibrationDesk::put_in_use(const Target& target, const std::optional<calibrate::RigCalibration>& calibration) {
+  if (!is_current(target)) {
+    return false;
+  }
+  if (target.subject == Subject::kLive) {
+    calibrate::RigCalibration next = calibration ? *calibration : calibrate::nominal_calibration(source_.rig());
+    if (target.wearer != context_.wearer().trimmed()) {
+      next.mounts = source_.calibration().mounts;  // Somebody else wears the sensors by now.
+    }
+    source_.set_calibration(next);
+    return true;
+  }
+  take::Take take = *context_.document().take();
+  take.info.calibration = calibration;
+  context_.document().set(take);
+  context_.saves().add(tr("The calibration is not saved in the take"),
+                       [take = std::move(take)] { return take::save_info(take); });
+  return true;
+}
+
+void CalibrationDesk::change_library(const std::shared_ptr<LibraryEntry>& entry, bool in) {
+  context_.saves().add(
+      in ? tr("The calibration is not saved in the library") : tr("The calibration is not taken out of the library"),
+      [entry, in, library = library_, desk = QPointer<CalibrationDesk>(this)] {
+        const Status status = in ? entry->save(library) : entry->remove(library);
+        // Only this thread's own copy of the pointer is touched here.
+        QMetaObject::invokeMethod(qApp, [desk] {
+          if (desk) {
+            desk->refresh();
+          }
+        });
+        return status;
+      });
+}
+
+void CalibrationDesk::save(Target target, CalibrationChange change, std::function<void(const Status&)> done) {
+  // Mountings belong to a person: of the take that they were made from, else as
+  // typed.
+  if (target.subject != Subject::kTake) {
+    target.wearer = context_.wearer().trimmed();
+  }
+  const bool is_range = !change.ranges.empty();
+  auto entry = std::make_shared<LibraryEntry>();
   for (const auto& [sensor, range] : change.ranges) {
     if (const auto s = static_cast<std::size_t>(sensor); s < target.rig.accelerometers.size()) {
-      ranges.emplace_back(take::sensor_key(target.rig, target.rig.accelerometers[s]), range);
+      entry->ranges.emplace_back(take::sensor_key(target.rig, target.rig.accelerometers[s]), range);
     }
   }
-  const QString wearer = target.subject == Subject::kTake ? target.wearer : context_.wearer().trimmed();
-  std::vector<calibrate::MountCalibration> mounts = change.mounts;
+  entry->mounts = change.mounts;
+  entry->rig = target.rig;
+  entry->subject = target.wearer.toStdString();
   context_.jobs().start(
-      tr("Saving the calibration"), this,
-      [library = library_, ranges = std::move(ranges), mounts = std::move(mounts), rig = target.rig,
-       subject = wearer.toStdString()](const Progress&) -> Status {
-        for (const auto& [key, range] : ranges) {
-          if (const auto saved = library.save_sensor(key, range); !saved) {
-            return saved.error();
-          }
-        }
-        if (!mounts.empty()) {
-          if (const auto saved = library.save_mounts(rig, subject, mounts); !saved) {
-            return saved.error();
-          }
-        }
-        return {};
-      },
-      [this, target, change = std::move(change), done = std::move(done)](const Status& status) {
+      tr("Saving the calibration"), this, [library = library_, entry](const Progress&) { return entry->save(library); },
+      [this, entry, target = std::move(target), is_range, change = std::move(change),
+       done = std::move(done)](const Status& status) {
         if (status && is_current(target)) {
-          apply(with_change(calibration_, change));
+          context_.undo_stack().push(
+              new CalibrationCommand(*this, target, in_use(target), with_change(calibration_of(target), change), entry,
+                                     is_range ? tr("range calibration") : tr("mounting calibration")));
         } else if (status) {
           context_.notifications().post(
               Severity::kWarning, tr("The calibration is kept in the library, but what it was made for is closed: "
@@ -203,10 +259,9 @@ void CalibrationDesk::save(const Target& target, CalibrationChange change, std::
 }
 
 void CalibrationDesk::apply(const calibrate::RigCalibration& calibration) {
-  if (subject() == Subject::kLive) {
-    source_.set_calibration(calibration);
-  } else if (subject() == Subject::kTake) {
-    context_.undo_stack().push(new TakeCalibrationCommand(context_, calibration));
+  if (has_rig()) {
+    context_.undo_stack().push(
+        new CalibrationCommand(*this, target(), in_use(target()), calibration, nullptr, tr("choice of calibration")));
   }
 }
 

@@ -1,5 +1,6 @@
-/// Everything that both wizards and the overview share: what is calibrated (rig, wearer), the library, where results
-/// go, and the recording that keeps a calibration's raw samples. No widgets.
+/// Everything that both wizards and the overview share: what is calibrated
+/// (rig, wearer), the library, where results go, and the recording that keeps a
+/// calibration's raw samples. No widgets.
 #pragma once
 
 #include <QObject>
@@ -17,7 +18,8 @@ namespace limbwave::ui {
 /// Where takes of calibrations go: user_data_folder()/calibration-takes.
 std::filesystem::path calibration_takes_folder();
 
-/// The newest of the library for every sensor of a rig on a subject; the data sheet where it has none.
+/// The newest of the library for every sensor of a rig on a subject; the data
+/// sheet where it has none.
 calibrate::RigCalibration newest_of_library(const take::LibraryListing& listing, const body::Rig& rig,
                                             const std::string& subject);
 
@@ -27,6 +29,8 @@ struct CalibrationChange {
   std::vector<calibrate::MountCalibration> mounts;
 };
 
+struct LibraryEntry;
+
 class CalibrationDesk : public QObject {
   Q_OBJECT
  public:
@@ -34,7 +38,8 @@ class CalibrationDesk : public QObject {
   CalibrationDesk(StudioContext& context, CalibrationSource& source, take::CalibrationLibrary library,
                   QObject* parent = nullptr);
 
-  /// What is shown and changed: the running capture, else the open take, else nothing.
+  /// What is shown and changed: the running capture, else the open take, else
+  /// nothing.
   enum class Subject { kNone, kLive, kTake };
   [[nodiscard]] Subject subject() const;
   [[nodiscard]] bool has_rig() const { return subject() != Subject::kNone; }
@@ -46,15 +51,15 @@ class CalibrationDesk : public QObject {
   struct Target {
     Subject subject = Subject::kNone;
     std::filesystem::path take;  ///< Of the open take.
-    QString wearer;              ///< Of the open take; of a live capture it is who is typed in last.
+    QString wearer;              ///< Of the open take, or who is typed in.
     body::Rig rig;
     body::Skeleton skeleton;
   };
   [[nodiscard]] Target target() const;
-  /// The same capture or take is still the one at hand, with the same sensors.
+  /// A capture with the same sensors runs, or the same take is open.
   [[nodiscard]] bool is_current(const Target& target) const;
   /// One entry per sensor of the target at any time: the present calibration, else the last one known, else nominal.
-  [[nodiscard]] const calibrate::RigCalibration& calibration_of(const Target& target) const;
+  [[nodiscard]] calibrate::RigCalibration calibration_of(const Target& target) const;
 
   /// Who wears it: mountings are kept per person. Of the take, or as typed.
   [[nodiscard]] QString wearer() const;
@@ -67,20 +72,31 @@ class CalibrationDesk : public QObject {
   /// Reads the library anew; ends in `changed`.
   void refresh();
 
-  /// Saves to the library, then applies, if the target is still at hand. `done` is told how it went.
-  void save(const Target& target, CalibrationChange change, std::function<void(const Status&)> done);
-  /// Makes it the one of the running capture (every take recorded from now on carries it), or of the open take; the
-  /// latter can be undone.
+  /// Saves to the library, then puts it to use where it was made for, as one
+  /// step of undo: undone, it is in use and in the library no more. When the
+  /// capture has ended meanwhile, or another take is open, the library alone
+  /// gets it, for good. `done` is told how it went.
+  void save(Target target, CalibrationChange change, std::function<void(const Status&)> done);
+  /// Makes it the one of the running capture (every take recorded from now on
+  /// carries it), or of the open take. Can be undone.
   void apply(const calibrate::RigCalibration& calibration);
+  /// Without a step of undo. False when the target is not there any more. A
+  /// capture that somebody else wears by now keeps that person's mountings.
+  bool put_in_use(const Target& target, const std::optional<calibrate::RigCalibration>& calibration);
+  /// Puts an entry into the library again, or takes it out; in order, beside
+  /// the window.
+  void change_library(const std::shared_ptr<LibraryEntry>& entry, bool in);
   /// Applies the newest of the library.
   void use_library();
   /// Applies one record of the library to the sensor it is of.
   void use_record(const take::SensorRecord& record);
   void use_record(const take::MountRecord& record);
 
-  /// Keeps the raw samples of a live calibration; "range" or "limb" becomes part of the folder's name.
+  /// Keeps the raw samples of a live calibration; "range" or "limb" becomes
+  /// part of the folder's name.
   void begin_recording(const QString& kind);
-  /// Names a stretch of it, times of the frames: solve::kRangeSegment, solve::pose_segment().
+  /// Names a stretch of it, times of the frames: solve::kRangeSegment,
+  /// solve::pose_segment().
   void add_segment(const std::string& name, double begin_s, double end_s);
   void end_recording();
   /// Where the raw samples are kept, or why they are not; for people.
@@ -93,6 +109,8 @@ class CalibrationDesk : public QObject {
 
  private:
   void follow();
+  /// In use at the target; empty when it has none or is gone.
+  [[nodiscard]] std::optional<calibrate::RigCalibration> in_use(const Target& target) const;
   struct Segment {
     std::string name;
     double begin_s, end_s;
@@ -113,7 +131,6 @@ class CalibrationDesk : public QObject {
   calibrate::RigCalibration calibration_;
   body::Rig known_rig_;              ///< What `known_` is of.
   calibrate::RigCalibration known_;  ///< The last one of a rig, also when that is gone.
-  mutable calibrate::RigCalibration nominal_;
   std::filesystem::path recording_folder_;
   std::vector<Segment> segments_;
   std::vector<Closing> closing_;

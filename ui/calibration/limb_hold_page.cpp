@@ -87,7 +87,9 @@ void LimbHoldPage::refresh() {
     }
   }
   bars_->set_rows(std::move(rows), model_.still_threshold_g());
-  if (model_.page() == LimbPage::kCountdown) {
+  if (model_.source_lost()) {
+    show_lost();
+  } else if (model_.page() == LimbPage::kCountdown) {
     show_countdown();
   } else {
     show_hold();
@@ -101,6 +103,17 @@ void LimbHoldPage::show_countdown() {
   sentence_->setText(QString::fromStdString(model_.pose_text(model_.pose()).instruction));
   dial_->set_state(QString::number(std::max(1, static_cast<int>(std::ceil(model_.countdown_left_s())))),
                    model_.countdown_left_s() / model_.countdown_s(), Tone::kUnknown);
+}
+
+void LimbHoldPage::show_lost() {
+  stillest_->hide();
+  leave_out_->hide();
+  const bool back = model_.desk().source().running();
+  big_->setText(back ? tr("The device is back") : tr("Signal lost"));
+  sentence_->setText(back ? tr("Go back and start the poses again.")
+                          : tr("The device stopped sending. Plug it in again, open it in Capture, then go back and "
+                               "start the poses again. What was held until then is kept."));
+  dial_->set_state(tr("lost"), 0.0, Tone::kDanger);
 }
 
 void LimbHoldPage::show_hold() {
@@ -118,11 +131,7 @@ void LimbHoldPage::show_hold() {
   if (model_.can_take_stillest()) {
     stillest_->setText(tr("Take the stillest second (%1)").arg(format_mg(model_.progress().best_movement_g)));
   }
-  if (model_.source_lost()) {
-    big_->setText(tr("Signal lost"));
-    sentence_->setText(tr("The device stopped sending. Plug it in again and open it in Capture."));
-    dial_->set_state(tr("lost"), 0.0, Tone::kDanger);
-  } else if (!early && !lost.isEmpty()) {
+  if (!early && !lost.isEmpty()) {
     big_->setText(tr("No signal: %1").arg(lost));
     sentence_->setText(tr("Check the cable and plug of %1, or go on without.").arg(lost));
     dial_->set_state(tr("?"), 0.0, Tone::kDanger);

@@ -1,4 +1,5 @@
-/// Countdown and holding of one pose: to be read from two metres away, no key needed.
+/// Countdown and holding of one pose: to be read from two metres away, no key
+/// needed.
 #pragma once
 
 #include <QLabel>
@@ -24,6 +25,7 @@ class LimbHoldPage : public QWidget {
  private:
   void show_countdown();
   void show_hold();
+  void show_lost();
   [[nodiscard]] QString names(bool (*wanted)(const HolderState&)) const;
   LimbWizardModel& model_;
   PosePicture* picture_;

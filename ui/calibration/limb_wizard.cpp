@@ -1,64 +1,35 @@
 #include "calibration/limb_wizard.h"
 
-#include <QApplication>
 #include <QHBoxLayout>
-#include <QScrollArea>
-#include <QSignalBlocker>
-#include <algorithm>
 
 #include "common/theme.h"
 
 namespace limbwave::ui {
-namespace {
-
-QLabel* paragraph(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setWordWrap(true);
-  label->setStyleSheet(QStringLiteral("font-size: 16px;"));
-  return label;
-}
-
-}  // namespace
 
 LimbWizard::LimbWizard(LimbWizardModel& model, QWidget* parent)
-    : QWidget(parent), model_(model), frame_(new WizardFrame(tr("Calibrate mounting"), this)) {
+    : CalibrationWizard(model, tr("Calibrate mounting"), false, parent), model_(model) {
   setObjectName(QStringLiteral("limb_wizard"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(frame_);
-  frame_->add_page(make_choose_page());
-  frame_->add_page(make_prepare_page());
+  frame()->add_page(make_choose_page());
+  frame()->add_page(make_prepare_page());
   hold_ = new LimbHoldPage(model_, this);
-  frame_->add_page(hold_);
-  frame_->add_page(make_result_page());
-  frame_->add_page(make_check_page());
-
-  connect(frame_, &WizardFrame::next, &model_, &LimbWizardModel::next);
-  connect(frame_, &WizardFrame::back, &model_, &LimbWizardModel::back);
-  connect(frame_, &WizardFrame::cancel, this, &LimbWizard::leave);
-  connect(frame_, &WizardFrame::leave_anyway, &model_, &LimbWizardModel::cancel);
-  connect(&model_, &LimbWizardModel::page_changed, this, &LimbWizard::show_page);
-  connect(&model_, &LimbWizardModel::choice_changed, this, &LimbWizard::refresh_choice);
+  frame()->add_page(hold_);
+  frame()->add_page(make_verdict_page());
+  frame()->add_page(make_check_page());
+  connect(&model_, &WizardModel::page_changed, this, &LimbWizard::show_page);
+  connect(&model_, &WizardModel::choice_changed, this, &LimbWizard::refresh_choice);
   connect(&model_, &LimbWizardModel::held, this, &LimbWizard::refresh_buttons);
-  connect(&model_, &LimbWizardModel::outcomes_changed, this, &LimbWizard::refresh_results);
-  // Whoever wears the suit may not see the screen: the last three seconds, the start and the capture are heard.
-  connect(&model_, &LimbWizardModel::counted, this, [](int left) {
+  // Whoever wears the suit may not see the screen: the last three seconds, the
+  // start and the capture are heard.
+  connect(&model_, &LimbWizardModel::counted, this, [this](int left) {
     if (left <= 3) {
-      QApplication::beep();
+      sounds().play(left == 0 ? CueSounds::Cue::kGo : CueSounds::Cue::kTick);
     }
   });
-  connect(&model_, &LimbWizardModel::captured, this, [] { QApplication::beep(); });
-  connect(&model_, &LimbWizardModel::save_failed, this,
-          [this](const QString& text) { frame_->set_note(tr("Not saved: %1").arg(text)); });
-  connect(&model_.desk(), &CalibrationDesk::recording_note_changed, this,
-          [this] { frame_->set_note(model_.desk().recording_note()); });
+  connect(&model_, &LimbWizardModel::captured, this, [this] { sounds().play(CueSounds::Cue::kDone); });
 }
 
 QWidget* LimbWizard::make_choose_page() {
-  auto* page = new QWidget(this);
-  auto* columns = new QHBoxLayout(page);
-  columns->setContentsMargins(0, 0, 0, 0);
-  columns->setSpacing(4 * kGrid);
+  const auto [page, columns, words] = make_columns();
   auto* card = new Card(tr("Which limb, and which of its sensors?"), page);
   groups_ = new QComboBox(card);
   groups_->setObjectName(QStringLiteral("groups"));
@@ -70,8 +41,6 @@ QWidget* LimbWizard::make_choose_page() {
   card->body()->addWidget(chooser_);
   card->body()->addStretch();
   columns->addWidget(card, 3);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2 * kGrid);
   words->addWidget(paragraph(tr("Mounting calibration finds how every sensor sits on its limb, from two poses a right "
                                 "angle apart. It is done each time the sensors are put on."),
                              page));
@@ -90,11 +59,7 @@ QWidget* LimbWizard::make_choose_page() {
   connect(first, &QPushButton::clicked, this, [this] { Q_EMIT range_wanted(model_.sensors()); });
   warning->addWidget(first, 0, Qt::AlignLeft);
   words->addWidget(range_warning_);
-  source_line_ = paragraph({}, page);
-  words->addWidget(source_line_);
-  open_device_ = new QPushButton(tr("Open a device in Capture"), page);
-  connect(open_device_, &QPushButton::clicked, this, &LimbWizard::device_wanted);
-  words->addWidget(open_device_, 0, Qt::AlignLeft);
+  add_source_line(words, page);
   words->addStretch();
   columns->addLayout(words, 2);
   return page;
@@ -138,30 +103,9 @@ QWidget* LimbWizard::make_prepare_page() {
   return page;
 }
 
-QWidget* LimbWizard::make_result_page() {
-  auto* page = new QWidget(this);
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2 * kGrid);
-  summary_ = distance_label(page);
-  summary_->setObjectName(QStringLiteral("summary"));
-  layout->addWidget(summary_);
-  findings_ = paragraph({}, page);
-  findings_->setObjectName(QStringLiteral("findings"));
-  layout->addWidget(findings_);
-  auto* scroll = new QScrollArea(page);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  auto* content = new QWidget(scroll);
-  content->setProperty("scroll", true);
-  rows_layout_ = new QVBoxLayout(content);
-  rows_layout_->setContentsMargins(0, 0, 0, 0);
-  rows_layout_->setSpacing(kGrid);
-  rows_layout_->addStretch(1);
-  scroll->setWidget(content);
-  layout->addWidget(scroll, 1);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kGrid);
+QWidget* LimbWizard::make_verdict_page() {
+  QHBoxLayout* row = nullptr;
+  QWidget* page = make_result_page(&row);
   repeat_both_ = new QPushButton(tr("Repeat both poses"), page);
   repeat_both_->setObjectName(QStringLiteral("repeat_both"));
   connect(repeat_both_, &QPushButton::clicked, &model_, &LimbWizardModel::repeat_both);
@@ -174,7 +118,6 @@ QWidget* LimbWizard::make_result_page() {
     row->addWidget(check);
   }
   row->addStretch();
-  layout->addLayout(row);
   return page;
 }
 
@@ -195,46 +138,37 @@ QWidget* LimbWizard::make_check_page() {
 }
 
 void LimbWizard::show_page() {
-  frame_->set_note(model_.page() == LimbPage::kChoose || model_.page() == LimbPage::kPrepare
-                       ? QString()
-                       : model_.desk().recording_note());
+  show_note(model_.page() != LimbPage::kChoose && model_.page() != LimbPage::kPrepare);
   switch (model_.page()) {
     case LimbPage::kChoose:
       refresh_choice();
-      frame_->show_page(0);
+      frame()->show_page(0);
       break;
     case LimbPage::kPrepare:
       refresh_prepare();
-      frame_->show_page(1);
+      frame()->show_page(1);
       break;
     case LimbPage::kCountdown:
     case LimbPage::kHold:
       hold_->restart();
-      frame_->show_page(2);
+      frame()->show_page(2);
       break;
     case LimbPage::kComputing:
       break;  // It takes a moment; the page stays.
     case LimbPage::kResult:
       refresh_results();
-      frame_->show_page(3);
+      frame()->show_page(3);
       break;
     case LimbPage::kCheck:
       refresh_checks();
-      frame_->show_page(4);
+      frame()->show_page(4);
       break;
   }
   refresh_buttons();
 }
 
-void LimbWizard::leave() {
-  if (model_.would_lose()) {
-    frame_->ask_leave(model_.page() == LimbPage::kResult || model_.page() == LimbPage::kCheck
-                          ? tr("The verdicts of %1 are not saved yet.")
-                                .arg(counted_sensors(static_cast<int>(model_.outcomes().size())))
-                          : tr("The pose that was held would not be used."));
-  } else {
-    model_.cancel();
-  }
+QString LimbWizard::movement_lost() const {
+  return tr("The pose that was held would not be used.");
 }
 
 }  // namespace limbwave::ui

@@ -5,62 +5,56 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
-#include <QVBoxLayout>
-#include <QWidget>
-#include <vector>
+#include <array>
 
+#include "calibration/calibration_wizard.h"
 #include "calibration/limb_hold_page.h"
 #include "calibration/limb_wizard_model.h"
 #include "calibration/sensor_chooser.h"
-#include "calibration/verdict_row.h"
-#include "calibration/wizard_frame.h"
 
 namespace limbwave::ui {
 
-class LimbWizard : public QWidget {
+class LimbWizard : public CalibrationWizard {
   Q_OBJECT
  public:
   explicit LimbWizard(LimbWizardModel& model, QWidget* parent = nullptr);
-  [[nodiscard]] WizardFrame* frame() const { return frame_; }
   [[nodiscard]] LimbHoldPage* hold_page() const { return hold_; }
 
  Q_SIGNALS:
-  void device_wanted();
   /// The chosen sensors should first have their range calibrated.
   void range_wanted(const std::vector<int>& sensors);
+
+ protected:
+  [[nodiscard]] VerdictRowContent row_content(int i) const override;
+  void refresh_own_results() override;
+  void refresh_own_buttons() override;
+  [[nodiscard]] QString movement_lost() const override;
+  [[nodiscard]] bool on_verdicts() const override {
+    return model_.page() == LimbPage::kResult || model_.page() == LimbPage::kCheck;
+  }
 
  private:
   QWidget* make_choose_page();
   QWidget* make_prepare_page();
-  QWidget* make_result_page();
+  QWidget* make_verdict_page();
   QWidget* make_check_page();
   void show_page();
   void refresh_choice();
   void refresh_prepare();
-  void refresh_buttons();
-  void refresh_results();
   void refresh_checks();
-  void leave();
 
   LimbWizardModel& model_;
-  WizardFrame* frame_;
   QComboBox* groups_ = nullptr;
   QLineEdit* wearer_ = nullptr;
   SensorChooser* chooser_ = nullptr;
   QWidget* range_warning_ = nullptr;
   QLabel* range_text_ = nullptr;
-  QLabel* source_line_ = nullptr;
-  QPushButton* open_device_ = nullptr;
   std::array<PosePicture*, 2> pictures_{};
   std::array<QLabel*, 2> captions_{};
   std::array<QLabel*, 2> instructions_{};
   QLabel* how_ = nullptr;
   QSpinBox* seconds_ = nullptr;
   LimbHoldPage* hold_ = nullptr;
-  QLabel* summary_ = nullptr;
-  QLabel* findings_ = nullptr;
-  QVBoxLayout* rows_layout_ = nullptr;
-  std::vector<VerdictRow*> rows_;
   QPushButton* repeat_both_ = nullptr;
   std::array<QPushButton*, 2> check_buttons_{};
   QLabel* check_summary_ = nullptr;

@@ -16,12 +16,13 @@ bool is_nominal(const std::string& method) {
 
 }  // namespace
 
-LimbWizardModel::LimbWizardModel(CalibrationDesk& desk, QObject* parent) : QObject(parent), desk_(desk) {
+LimbWizardModel::LimbWizardModel(CalibrationDesk& desk, QObject* parent) : WizardModel(desk, parent) {
   timer_.setInterval(50);
   connect(&timer_, &QTimer::timeout, this, [this] { advance(1e-3 * static_cast<double>(clock_.restart())); });
   connect(&desk_.source(), &CalibrationSource::arrived, this, &LimbWizardModel::take_frames);
   connect(&desk_.source(), &CalibrationSource::changed, this, [this] {
-    if (page_ == LimbPage::kHold) {
+    notice_loss(in_pose());
+    if (in_pose()) {
       Q_EMIT held();
     } else {
       Q_EMIT choice_changed();
@@ -43,9 +44,7 @@ void LimbWizardModel::set_page(LimbPage page) {
 
 void LimbWizardModel::begin(int sensor, bool only) {
   ++attempt_;
-  target_ = desk_.target();
-  rig_ = target_.rig;
-  skeleton_ = target_.skeleton;
+  take_on(desk_.target());
   outcomes_.clear();
   checks_.clear();
   refusal_ = {};
@@ -53,8 +52,8 @@ void LimbWizardModel::begin(int sensor, bool only) {
   saving_ = false;
   checking_ = false;
   int chosen = -1;
-  for (int g = 0; g < static_cast<int>(rig_.groups.size()) && chosen < 0; ++g) {
-    const std::vector<int>& members = rig_.groups[static_cast<std::size_t>(g)].sensors;
+  for (int g = 0; g < static_cast<int>(target_.rig.groups.size()) && chosen < 0; ++g) {
+    const std::vector<int>& members = target_.rig.groups[static_cast<std::size_t>(g)].sensors;
     const bool wanted =
         sensor >= 0 ? std::find(members.begin(), members.end(), sensor) != members.end()
                     : std::any_of(members.begin(), members.end(), [this](int s) {
@@ -71,8 +70,9 @@ void LimbWizardModel::begin(int sensor, bool only) {
 
 void LimbWizardModel::choose_group(int group) {
   group_ = group;
-  sensors_ = group < static_cast<int>(rig_.groups.size()) ? rig_.groups[static_cast<std::size_t>(group)].sensors
-                                                          : std::vector<int>{};
+  sensors_ = group < static_cast<int>(target_.rig.groups.size())
+                 ? target_.rig.groups[static_cast<std::size_t>(group)].sensors
+                 : std::vector<int>{};
   Q_EMIT choice_changed();
 }
 
@@ -86,7 +86,7 @@ void LimbWizardModel::choose_sensor(int sensor, bool on) {
 }
 
 const body::LimbPose& LimbWizardModel::pose_text(int pose) const {
-  const body::CalibrationGroup& group = rig_.groups.at(static_cast<std::size_t>(group_));
+  const body::CalibrationGroup& group = target_.rig.groups.at(static_cast<std::size_t>(group_));
   return pose == 0 ? group.first : group.second;
 }
 
@@ -95,7 +95,7 @@ QStringList LimbWizardModel::without_range() const {
   for (const int sensor : sensors_) {
     const auto s = static_cast<std::size_t>(sensor);
     if (is_nominal(desk_.calibration_of(target_).sensors.at(s).method)) {
-      names << QString::fromStdString(rig_.accelerometers.at(s).name);
+      names << QString::fromStdString(target_.rig.accelerometers.at(s).name);
     }
   }
   return names;
@@ -104,7 +104,7 @@ QStringList LimbWizardModel::without_range() const {
 QString LimbWizardModel::obstacle() const {
   switch (page_) {
     case LimbPage::kChoose:
-      if (rig_.groups.empty()) {
+      if (target_.rig.groups.empty()) {
         return tr("This rig names no poses. Add calibration groups to its file.");
       }
       if (sensors_.empty()) {
@@ -114,12 +114,15 @@ QString LimbWizardModel::obstacle() const {
     case LimbPage::kPrepare:
       return desk_.source().running() ? QString() : tr("No signal comes in. Open a device in Capture.");
     case LimbPage::kHold:
-      return can_take_stillest() ? QString() : tr("Hold still: it goes on by itself.");
+      return interrupted_          ? tr("The device died. Go back and start again when it is there.")
+             : can_take_stillest() ? QString()
+                                   : tr("Hold still: it goes on by itself.");
     case LimbPage::kComputing:
       return tr("Computing…");
     case LimbPage::kResult:
       return saving_ ? tr("Saving…") : accepted() == 0 ? tr("Nothing is accepted yet.") : QString();
     case LimbPage::kCountdown:
+      return interrupted_ ? tr("The device died. Go back and start again when it is there.") : QString();
     case LimbPage::kCheck:
       break;
   }
@@ -162,6 +165,7 @@ void LimbWizardModel::back() {
     case LimbPage::kCountdown:
     case LimbPage::kHold:
       desk_.end_recording();
+      interrupted_ = false;
       set_page(checking_ || !outcomes_.empty() ? LimbPage::kResult : LimbPage::kPrepare);
       checking_ = false;
       break;
@@ -174,11 +178,7 @@ void LimbWizardModel::back() {
 }
 
 bool LimbWizardModel::would_lose() const {
-  const bool open = std::any_of(outcomes_.begin(), outcomes_.end(), [](const LimbOutcome& outcome) {
-    return outcome.result && outcome.decision != Decision::kDiscarded;
-  });
-  return open || page_ == LimbPage::kComputing ||
-         ((page_ == LimbPage::kCountdown || page_ == LimbPage::kHold) && pose_ == 1 && !checking_);
+  return has_open_verdicts() || page_ == LimbPage::kComputing || (in_pose() && pose_ == 1 && !checking_);
 }
 
 void LimbWizardModel::cancel() {
@@ -199,6 +199,7 @@ void LimbWizardModel::set_countdown_s(double seconds) {
 
 void LimbWizardModel::start_poses(const std::vector<int>& sensors) {
   checking_ = false;
+  interrupted_ = false;
   held_by_ = sensors;
   frames_[0].clear();
   frames_[1].clear();
@@ -208,7 +209,8 @@ void LimbWizardModel::start_poses(const std::vector<int>& sensors) {
 }
 
 void LimbWizardModel::make_calibrator() {
-  calibrator_ = std::make_unique<calibrate::LimbCalibrator>(rig_, desk_.calibration_of(target_), group_, held_by_);
+  calibrator_ =
+      std::make_unique<calibrate::LimbCalibrator>(target_.rig, desk_.calibration_of(target_), group_, held_by_);
   calibrator_->push(0, frames_[0]);
   calibrator_->push(1, frames_[1]);
   meter_ = MovementMeter(held_by_, desk_.calibration_of(target_));
@@ -226,7 +228,7 @@ void LimbWizardModel::start_countdown(int pose) {
 }
 
 void LimbWizardModel::advance(double elapsed_s) {
-  if (page_ != LimbPage::kCountdown) {
+  if (page_ != LimbPage::kCountdown || interrupted_) {
     return;
   }
   const double before = std::ceil(left_s_);
@@ -254,7 +256,9 @@ void LimbWizardModel::start_hold() {
 }
 
 void LimbWizardModel::take_frames(const std::vector<decode::AccelerationFrame>& frames) {
-  if ((page_ != LimbPage::kHold && page_ != LimbPage::kCountdown) || frames.empty() || !desk_.is_current(target_)) {
+  // After the device died its clock began anew: such readings do not go with
+  // those before.
+  if (!in_pose() || !listens() || frames.empty()) {
     return;
   }
   // Movement is shown during the countdown too, but only what is held counts.
@@ -322,12 +326,24 @@ void LimbWizardModel::leave_out(int sensor) {
   }
 }
 
-void LimbWizardModel::capture() {
+void LimbWizardModel::add_pose_segment() {
   const std::vector<decode::AccelerationFrame>& kept = frames_.at(static_cast<std::size_t>(pose_));
   if (!checking_ && !kept.empty()) {
-    const body::CalibrationGroup& group = rig_.groups.at(static_cast<std::size_t>(group_));
+    const body::CalibrationGroup& group = target_.rig.groups.at(static_cast<std::size_t>(group_));
     desk_.add_segment(solve::pose_segment(group, pose_), kept.front().time_s, kept.back().time_s);
   }
+}
+
+void LimbWizardModel::keep_stretch() {
+  timer_.stop();
+  if (page_ == LimbPage::kHold) {
+    add_pose_segment();
+  }
+  desk_.end_recording();
+}
+
+void LimbWizardModel::capture() {
+  add_pose_segment();
   Q_EMIT captured(pose_);
   if (checking_) {
     compute_check();
@@ -339,19 +355,19 @@ void LimbWizardModel::capture() {
 }
 
 void LimbWizardModel::repeat(int sensor) {
-  if (page_ == LimbPage::kResult && desk_.source().running()) {
+  if (page_ == LimbPage::kResult && repeatable()) {
     start_poses({sensor});
   }
 }
 
 void LimbWizardModel::repeat_both() {
-  if (page_ == LimbPage::kResult && desk_.source().running()) {
+  if (page_ == LimbPage::kResult && repeatable()) {
     start_poses(sensors_);
   }
 }
 
 void LimbWizardModel::check(int pose) {
-  if (page_ != LimbPage::kResult || !desk_.source().running() || accepted() == 0) {
+  if (page_ != LimbPage::kResult || !repeatable() || accepted() == 0) {
     return;
   }
   held_by_.clear();
@@ -364,6 +380,7 @@ void LimbWizardModel::check(int pose) {
   frames_[1].clear();
   make_calibrator();
   checking_ = true;
+  interrupted_ = false;
   start_countdown(pose);
 }
 

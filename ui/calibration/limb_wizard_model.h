@@ -1,5 +1,6 @@
-/// Limb calibration as a sequence of pages, without widgets: choose a limb, get ready, hold two poses without touching
-/// the keyboard, look at the verdict, hold a pose again to check it.
+/// Limb calibration as a sequence of pages, without widgets: choose a limb, get
+/// ready, hold two poses without touching the keyboard, look at the verdict,
+/// hold a pose again to check it.
 #pragma once
 
 #include <QElapsedTimer>
@@ -12,19 +13,16 @@
 #include "calibrate/limb_calibration.h"
 #include "calibration/calibration_desk.h"
 #include "calibration/movement_meter.h"
-#include "calibration/range_wizard_model.h"
+#include "calibration/wizard_model.h"
 
 namespace limbwave::ui {
 
 enum class LimbPage { kChoose, kPrepare, kCountdown, kHold, kComputing, kResult, kCheck };
 
 /// One sensor's end.
-struct LimbOutcome {
-  int sensor = 0;
+struct LimbOutcome : Outcome {
   std::optional<calibrate::SensorLimbResult> result;  ///< Empty: refused, `error` says why.
-  Error error;
-  Decision decision = Decision::kOpen;
-  std::optional<double> before_deg;  ///< Error of the angle in the attempt that this one replaces.
+  std::optional<double> before_deg;                   ///< Error of the angle in the attempt that this one replaces.
 };
 
 /// One sensor while a pose is held.
@@ -34,7 +32,7 @@ struct HolderState {
   bool moves = false;  ///< More than what counts as still.
 };
 
-class LimbWizardModel : public QObject {
+class LimbWizardModel : public WizardModel {
   Q_OBJECT
  public:
   static constexpr double kConfirmS = 1.0;    ///< A still second is followed by this much more, for a longer mean.
@@ -44,13 +42,9 @@ class LimbWizardModel : public QObject {
   explicit LimbWizardModel(CalibrationDesk& desk, QObject* parent = nullptr);
 
   [[nodiscard]] LimbPage page() const { return page_; }
-  [[nodiscard]] const body::Rig& rig() const { return rig_; }
-  [[nodiscard]] const CalibrationDesk::Target& target() const { return target_; }
-  [[nodiscard]] const body::Skeleton& skeleton() const { return skeleton_; }
-  [[nodiscard]] CalibrationDesk& desk() { return desk_; }
 
-  /// Starts anew with the group that holds `sensor` (−1: the first group that needs it) and, with `only`, this sensor
-  /// alone.
+  /// Starts anew with the group that holds `sensor` (−1: the first group that
+  /// needs it) and, with `only`, this sensor alone.
   void begin(int sensor, bool only = false);
   [[nodiscard]] int group() const { return group_; }
   void choose_group(int group);
@@ -58,14 +52,15 @@ class LimbWizardModel : public QObject {
   [[nodiscard]] const std::vector<int>& sensors() const { return sensors_; }
   void choose_sensor(int sensor, bool on);
   [[nodiscard]] const body::LimbPose& pose_text(int pose) const;
-  /// Chosen sensors whose range was never calibrated: their directions may be degrees off.
+  /// Chosen sensors whose range was never calibrated: their directions may be
+  /// degrees off.
   [[nodiscard]] QStringList without_range() const;
 
-  [[nodiscard]] QString obstacle() const;
-  void next();
-  void back();
-  [[nodiscard]] bool would_lose() const;
-  void cancel();
+  [[nodiscard]] QString obstacle() const override;
+  void next() override;
+  void back() override;
+  [[nodiscard]] bool would_lose() const override;
+  void cancel() override;
 
   // Countdown and holding.
   [[nodiscard]] int pose() const { return pose_; }  ///< 0 or 1.
@@ -73,7 +68,8 @@ class LimbWizardModel : public QObject {
   [[nodiscard]] double countdown_s() const { return countdown_s_; }
   void set_countdown_s(double seconds);
   [[nodiscard]] double countdown_left_s() const { return left_s_; }
-  /// Lets wall-clock time pass on the countdown page; the timer calls it, and so do tests.
+  /// Lets wall-clock time pass on the countdown page; the timer calls it, and
+  /// so do tests.
   void advance(double elapsed_s);
   [[nodiscard]] const calibrate::PoseProgress& progress() const { return progress_; }
   [[nodiscard]] const std::vector<HolderState>& holders() const { return holders_; }
@@ -83,55 +79,57 @@ class LimbWizardModel : public QObject {
   /// Nobody got still enough, but the stillest second could be used.
   [[nodiscard]] bool can_take_stillest() const;
   void take_stillest();
-  /// Goes on without a sensor that gives no signal; at least one other must remain.
+  /// Goes on without a sensor that gives no signal; at least one other must
+  /// remain.
   [[nodiscard]] bool can_leave_out(int sensor) const;
   void leave_out(int sensor);
-  [[nodiscard]] bool source_lost() const { return page_ == LimbPage::kHold && !desk_.source().running(); }
+  /// The device died during the countdown or the pose; it may be back by now.
+  [[nodiscard]] bool source_lost() const { return in_pose() && interrupted(); }
 
   // Result.
   [[nodiscard]] const std::vector<LimbOutcome>& outcomes() const { return outcomes_; }
   /// Why the poses as a whole were refused; empty message: they were not.
   [[nodiscard]] const Error& refusal() const { return refusal_; }
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
-  void decide(int sensor, Decision decision);
-  void repeat(int sensor);
+  [[nodiscard]] int count() const override { return static_cast<int>(outcomes_.size()); }
+  [[nodiscard]] std::optional<calibrate::Verdict> verdict(int i) const override;
+  void repeat(int sensor) override;
   void repeat_both();
-  [[nodiscard]] int accepted() const;
-  void save();
-  void show_outcomes(int group, std::vector<LimbOutcome> outcomes, Error refusal);
+  /// Verdicts computed elsewhere: from stretches of a take.
+  void show_outcomes(int group, std::vector<LimbOutcome> outcomes, Error refusal,
+                     const CalibrationDesk::Target& target);
 
   // Check.
   void check(int pose);
   [[nodiscard]] const std::vector<calibrate::PoseCheck>& checks() const { return checks_; }
 
  Q_SIGNALS:
-  void page_changed();
-  void choice_changed();
-  void counted(int whole_seconds_left);  ///< Once per whole second; 0 when holding begins.
+  void counted(int whole_seconds_left);  ///< Once per whole second; 0 when
+                                         ///< holding begins.
   void held();                           ///< New readings while holding.
   void captured(int pose);
-  void outcomes_changed();
-  void saved(int sensors);
-  void save_failed(const QString& text);
-  void left();
+
+ protected:
+  [[nodiscard]] Outcome& outcome_at(int i) override { return outcomes_.at(static_cast<std::size_t>(i)); }
+  void clear_outcomes() override { outcomes_.clear(); }
+  [[nodiscard]] CalibrationChange accepted_change() const override;
+  void keep_stretch() override;
 
  private:
   void set_page(LimbPage page);
+  [[nodiscard]] bool in_pose() const { return page_ == LimbPage::kCountdown || page_ == LimbPage::kHold; }
   void start_poses(const std::vector<int>& sensors);
   void start_countdown(int pose);
   void start_hold();
   void take_frames(const std::vector<decode::AccelerationFrame>& frames);
   void capture();
+  void add_pose_segment();
   void compute();
   void compute_check();
   void merge(const Result<calibrate::LimbResult>& result);
   [[nodiscard]] calibrate::RigCalibration with_accepted() const;
   void make_calibrator();
 
-  CalibrationDesk& desk_;
-  CalibrationDesk::Target target_;
-  body::Rig rig_;
-  body::Skeleton skeleton_;
   LimbPage page_ = LimbPage::kChoose;
   int group_ = 0;
   std::vector<int> sensors_;
@@ -151,8 +149,6 @@ class LimbWizardModel : public QObject {
   Error refusal_;
   Diagnostics diagnostics_;
   std::vector<calibrate::PoseCheck> checks_;
-  bool saving_ = false;
-  std::uint64_t attempt_ = 0;
 };
 
 }  // namespace limbwave::ui

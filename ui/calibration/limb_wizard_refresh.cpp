@@ -107,81 +107,53 @@ void LimbWizard::refresh_prepare() {
   seconds_->setValue(static_cast<int>(std::lround(model_.countdown_s())));
 }
 
-void LimbWizard::refresh_buttons() {
-  const bool running = model_.desk().source().running();
-  open_device_->setVisible(!running);
-  source_line_->setText(running ? tr("Signal: %1").arg(model_.desk().source().title()) : tr("No signal comes in."));
+void LimbWizard::refresh_own_buttons() {
   const LimbPage page = model_.page();
   const bool second = model_.pose() == 1;
-  frame_->set_steps({tr("Limb"), tr("How"), tr("First pose"), tr("Second pose"), tr("Verdict")},
-                    page == LimbPage::kChoose                                 ? 0
-                    : page == LimbPage::kPrepare                              ? 1
-                    : page == LimbPage::kCountdown || page == LimbPage::kHold ? (second ? 3 : 2)
-                                                                              : 4);
+  frame()->set_steps({tr("Limb"), tr("How"), tr("First pose"), tr("Second pose"), tr("Verdict")},
+                     page == LimbPage::kChoose                                 ? 0
+                     : page == LimbPage::kPrepare                              ? 1
+                     : page == LimbPage::kCountdown || page == LimbPage::kHold ? (second ? 3 : 2)
+                                                                               : 4);
   const QString obstacle = model_.obstacle();
   switch (page) {
     case LimbPage::kChoose:
-      frame_->set_next(tr("Continue"), obstacle);
-      frame_->set_back({}, false);
+      frame()->set_next(tr("Continue"), obstacle);
+      frame()->set_back({}, false);
       break;
     case LimbPage::kPrepare:
-      frame_->set_next(tr("Start"), obstacle);
-      frame_->set_back(tr("Back"), true);
+      frame()->set_next(tr("Start"), obstacle);
+      frame()->set_back(tr("Back"), true);
       break;
     case LimbPage::kCountdown:
-      frame_->set_next(tr("Skip the wait"), obstacle);
-      frame_->set_back(tr("Back"), true);
+      frame()->set_next(tr("Skip the wait"), obstacle);
+      frame()->set_back(tr("Back"), true);
       break;
     case LimbPage::kHold:
-      frame_->set_next(tr("Take the stillest second"), obstacle, false);
-      frame_->set_back(tr("Back"), true);
+      frame()->set_next(tr("Take the stillest second"), obstacle, false);
+      frame()->set_back(tr("Back"), true);
       break;
     case LimbPage::kComputing:
-      frame_->set_next(tr("Computing…"), obstacle);
-      frame_->set_back({}, false);
+      frame()->set_next(tr("Computing…"), obstacle);
+      frame()->set_back({}, false);
       break;
     case LimbPage::kResult:
-      frame_->set_next(tr("Save %1").arg(counted_calibrations(model_.accepted())), obstacle);
-      frame_->set_back({}, false);
+      frame()->set_next(tr("Save %1").arg(counted_calibrations(model_.accepted())), obstacle);
+      frame()->set_back({}, false);
       break;
     case LimbPage::kCheck:
-      frame_->set_next(tr("Back to the verdict"), obstacle);
-      frame_->set_back({}, false);
+      frame()->set_next(tr("Back to the verdict"), obstacle);
+      frame()->set_back({}, false);
       break;
   }
 }
 
-void LimbWizard::refresh_results() {
-  const auto& outcomes = model_.outcomes();
-  const bool same = rows_.size() == outcomes.size() && std::equal(rows_.begin(), rows_.end(), outcomes.begin(),
-                                                                  [](const VerdictRow* row, const auto& outcome) {
-                                                                    return row->sensor() == outcome.sensor;
-                                                                  });
-  if (!same) {
-    for (VerdictRow* row : rows_) {
-      row->hide();
-      row->deleteLater();
-    }
-    rows_.clear();
-    for (const LimbOutcome& outcome : outcomes) {
-      auto* row = new VerdictRow(outcome.sensor, false, this);
-      connect(row, &VerdictRow::accept, &model_, [this](int sensor) { model_.decide(sensor, Decision::kAccepted); });
-      connect(row, &VerdictRow::discard, &model_, [this](int sensor) { model_.decide(sensor, Decision::kDiscarded); });
-      connect(row, &VerdictRow::repeat, &model_, &LimbWizardModel::repeat);
-      rows_layout_->insertWidget(rows_layout_->count() - 1, row);
-      rows_.push_back(row);
-    }
-  }
-  const bool live = model_.desk().source().running();
-  int bad = 0;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows_[i]->set_content(limb_row(outcomes[i], model_.rig(), live));
-    bad += !outcomes[i].result || outcomes[i].result->verdict == calibrate::Verdict::kRepeat ? 1 : 0;
-  }
-  const int count = static_cast<int>(outcomes.size());
-  summary_->setText(bad == 0       ? tr("%1 calibrated").arg(counted_sensors(count))
-                    : bad == count ? tr("Repeat")
-                                   : tr("%1 of %2 calibrated, repeat the others").arg(count - bad).arg(count));
+VerdictRowContent LimbWizard::row_content(int i) const {
+  return limb_row(model_.outcomes().at(static_cast<std::size_t>(i)), model_.rig(), model_.repeatable());
+}
+
+void LimbWizard::refresh_own_results() {
+  const bool live = model_.repeatable();
   QStringList findings;
   if (!model_.refusal().message.empty()) {
     findings << sentence(model_.refusal());
@@ -191,15 +163,13 @@ void LimbWizard::refresh_results() {
                     .arg(QString::fromStdString(diagnostic.place), core_text(diagnostic.message),
                          core_text(diagnostic.remedy));
   }
-  findings_->setText(findings.join(QLatin1Char('\n')));
-  findings_->setVisible(!findings.isEmpty());
+  set_findings(findings.join(QLatin1Char('\n')));
   repeat_both_->setEnabled(live);
   for (int pose = 0; pose < 2 && !model_.rig().groups.empty(); ++pose) {
     QPushButton* check = check_buttons_.at(static_cast<std::size_t>(pose));
     check->setText(tr("Check: hold \"%1\" again").arg(QString::fromStdString(model_.pose_text(pose).name)));
     check->setEnabled(live && model_.accepted() > 0);
   }
-  refresh_buttons();
 }
 
 void LimbWizard::refresh_checks() {

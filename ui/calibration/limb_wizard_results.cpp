@@ -58,33 +58,25 @@ void LimbWizardModel::merge(const Result<calibrate::LimbResult>& result) {
   Q_EMIT outcomes_changed();
 }
 
-void LimbWizardModel::show_outcomes(int group, std::vector<LimbOutcome> outcomes, Error refusal) {
+void LimbWizardModel::show_outcomes(int group, std::vector<LimbOutcome> outcomes, Error refusal,
+                                    const CalibrationDesk::Target& target) {
   ++attempt_;
-  begin(-1);
+  take_on(target);
+  from_take_ = true;
+  saving_ = checking_ = false;
+  checks_.clear();
+  diagnostics_.clear();
   choose_group(group);
   outcomes_ = std::move(outcomes);
   refusal_ = std::move(refusal);
-  for (LimbOutcome& outcome : outcomes_) {
-    if (outcome.result && outcome.result->verdict != calibrate::Verdict::kRepeat) {
-      outcome.decision = Decision::kAccepted;
-    }
-  }
+  accept_good();
   Q_EMIT outcomes_changed();
   set_page(LimbPage::kResult);
 }
 
-void LimbWizardModel::decide(int sensor, Decision decision) {
-  for (LimbOutcome& outcome : outcomes_) {
-    if (outcome.sensor == sensor && (outcome.result || decision != Decision::kAccepted)) {
-      outcome.decision = decision;
-    }
-  }
-  Q_EMIT outcomes_changed();
-}
-
-int LimbWizardModel::accepted() const {
-  return static_cast<int>(std::count_if(outcomes_.begin(), outcomes_.end(),
-                                        [](const auto& outcome) { return outcome.decision == Decision::kAccepted; }));
+std::optional<calibrate::Verdict> LimbWizardModel::verdict(int i) const {
+  const auto& result = outcomes_.at(static_cast<std::size_t>(i)).result;
+  return result ? std::optional(result->verdict) : std::nullopt;
 }
 
 calibrate::RigCalibration LimbWizardModel::with_accepted() const {
@@ -121,27 +113,14 @@ void LimbWizardModel::compute_check() {
       });
 }
 
-void LimbWizardModel::save() {
+CalibrationChange LimbWizardModel::accepted_change() const {
   CalibrationChange change;
   for (const LimbOutcome& outcome : outcomes_) {
     if (outcome.decision == Decision::kAccepted && outcome.result) {
       change.mounts.push_back(outcome.result->mount);
     }
   }
-  const int count = static_cast<int>(change.mounts.size());
-  saving_ = true;
-  Q_EMIT outcomes_changed();
-  desk_.save(target_, std::move(change), [this, count](const Status& status) {
-    saving_ = false;
-    if (!status) {
-      Q_EMIT save_failed(core_text(status.error().text()));
-      Q_EMIT outcomes_changed();
-      return;
-    }
-    outcomes_.clear();
-    Q_EMIT saved(count);
-    Q_EMIT left();
-  });
+  return change;
 }
 
 }  // namespace limbwave::ui

@@ -148,8 +148,16 @@ void RangeTurnPage::refresh() {
   const QString name = QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(shown_)).name);
   AdviceText text = advice_text(*state, name, model_.all_enough());
   if (model_.source_lost()) {
-    text = {tr("Signal lost"), tr("The device stopped sending. Plug it in again and open it in Capture.")};
+    const bool enough_to_try = model_.obstacle().isEmpty();
+    text.big = model_.can_start_over() ? tr("The device is back") : tr("Signal lost");
+    text.sentence = model_.can_start_over()
+                        ? tr("Start over to turn the sensors once more.")
+                        : tr("The device stopped sending. Plug it in again and open it in Capture, then start over.");
+    text.sentence += QLatin1Char(' ') + (enough_to_try ? tr("Or finish with what was turned until then; it is kept.")
+                                                       : tr("Nothing had been turned yet."));
   }
+  start_over_->setEnabled(model_.can_start_over());
+  start_over_->setToolTip(model_.can_start_over() ? QString() : tr("The device is gone: open it in Capture first."));
   big_->setText(text.big);
   sentence_->setText(text.sentence);
 

@@ -1,4 +1,5 @@
-/// The live page of the range wizard: what to do now, the sphere, the box, how fast, three signals.
+/// The live page of the range wizard: what to do now, the sphere, the box, how
+/// fast, three signals.
 #pragma once
 
 #include <QLabel>
@@ -15,7 +16,8 @@
 
 namespace limbwave::ui {
 
-/// What is told about one sensor, short enough to be read from two metres, and the longer sentence.
+/// What is told about one sensor, short enough to be read from two metres, and
+/// the longer sentence.
 struct AdviceText {
   QString big, sentence;
 };

@@ -41,9 +41,10 @@ std::array<bool, calibrate::SphereCoverage::kCells> visited_cells(const calibrat
   return visited;
 }
 
-RangeWizardModel::RangeWizardModel(CalibrationDesk& desk, QObject* parent) : QObject(parent), desk_(desk) {
+RangeWizardModel::RangeWizardModel(CalibrationDesk& desk, QObject* parent) : WizardModel(desk, parent) {
   connect(&desk_.source(), &CalibrationSource::arrived, this, &RangeWizardModel::take_frames);
   connect(&desk_.source(), &CalibrationSource::changed, this, [this] {
+    notice_loss(page_ == RangePage::kTurn);
     if (page_ == RangePage::kTurn) {
       Q_EMIT turned();
     } else {
@@ -59,18 +60,18 @@ void RangeWizardModel::set_page(RangePage page) {
 
 void RangeWizardModel::begin(std::vector<int> sensors) {
   ++attempt_;
-  target_ = desk_.target();
-  rig_ = target_.rig;
-  const int count = static_cast<int>(rig_.accelerometers.size());
+  take_on(desk_.target());
+  const int all = static_cast<int>(target_.rig.accelerometers.size());
   if (sensors.empty()) {
-    for (int s = 0; s < count; ++s) {
-      if (desk_.calibration_of(target_).sensors[static_cast<std::size_t>(s)].method == "nominal") {
+    const calibrate::RigCalibration calibration = desk_.calibration_of(target_);
+    for (int s = 0; s < all; ++s) {
+      if (calibration.sensors[static_cast<std::size_t>(s)].method == "nominal") {
         sensors.push_back(s);
       }
     }
   }
   if (sensors.empty()) {
-    for (int s = 0; s < count; ++s) {
+    for (int s = 0; s < all; ++s) {
       sensors.push_back(s);
     }
   }
@@ -105,7 +106,9 @@ QString RangeWizardModel::obstacle() const {
       }
       return {};
     case RangePage::kTurn:
-      return turning_s_ < 1.0 ? tr("Turn the sensors first.") : QString();
+      return turning_s_ >= 1.0 ? QString()
+             : interrupted_    ? tr("The device died before anything was turned. Start over when it is back.")
+                               : tr("Turn the sensors first.");
     case RangePage::kComputing:
       return tr("Computing…");
     case RangePage::kResult:
@@ -153,10 +156,7 @@ void RangeWizardModel::back() {
 }
 
 bool RangeWizardModel::would_lose() const {
-  const bool open = std::any_of(outcomes_.begin(), outcomes_.end(), [](const RangeOutcome& outcome) {
-    return outcome.result && outcome.decision != Decision::kDiscarded;
-  });
-  return (page_ == RangePage::kTurn && turning_s_ > 2.0) || page_ == RangePage::kComputing || open;
+  return (page_ == RangePage::kTurn && turning_s_ > 2.0) || page_ == RangePage::kComputing || has_open_verdicts();
 }
 
 void RangeWizardModel::cancel() {
@@ -170,16 +170,25 @@ void RangeWizardModel::cancel() {
 
 void RangeWizardModel::start_turning(const std::vector<int>& sensors) {
   turning_ = sensors;
+  interrupted_ = false;
   desk_.begin_recording(QStringLiteral("range"));
   start_over();
   set_page(RangePage::kTurn);
 }
 
 void RangeWizardModel::start_over() {
+  if (!can_start_over()) {
+    return;
+  }
+  if (interrupted_) {
+    interrupted_ = false;
+    desk_.begin_recording(QStringLiteral("range"));
+  }
   calibrators_.clear();
   states_.clear();
   for (const int sensor : turning_) {
-    calibrators_.emplace_back(rig_.line_in, rig_.accelerometers.at(static_cast<std::size_t>(sensor)).serial);
+    calibrators_.emplace_back(target_.rig.line_in,
+                              target_.rig.accelerometers.at(static_cast<std::size_t>(sensor)).serial);
     RangeSensorState state;
     state.sensor = sensor;
     states_.push_back(state);
@@ -194,7 +203,9 @@ void RangeWizardModel::start_over() {
 }
 
 void RangeWizardModel::take_frames(const std::vector<decode::AccelerationFrame>& frames) {
-  if (page_ != RangePage::kTurn || frames.empty() || !desk_.is_current(target_)) {
+  // After the device died its clock began anew: such readings do not go with
+  // those before.
+  if (page_ != RangePage::kTurn || !listens() || frames.empty()) {
     return;
   }
   for (const decode::AccelerationFrame& frame : frames) {
@@ -261,9 +272,15 @@ bool RangeWizardModel::all_enough() const {
          std::all_of(states_.begin(), states_.end(), [](const auto& state) { return state.progress.enough; });
 }
 
-void RangeWizardModel::compute() {
-  desk_.add_segment(solve::kRangeSegment, first_s_, newest_s_);
+void RangeWizardModel::keep_stretch() {
+  if (first_s_ >= 0.0) {
+    desk_.add_segment(solve::kRangeSegment, first_s_, newest_s_);
+  }
   desk_.end_recording();
+}
+
+void RangeWizardModel::compute() {
+  keep_stretch();
   set_page(RangePage::kComputing);
   auto calibrators = std::make_shared<std::vector<calibrate::RangeCalibrator>>(std::move(calibrators_));
   calibrators_.clear();
@@ -326,56 +343,34 @@ void RangeWizardModel::merge(std::vector<RangeOutcome> outcomes) {
   Q_EMIT outcomes_changed();
 }
 
-void RangeWizardModel::show_outcomes(std::vector<RangeOutcome> outcomes) {
+void RangeWizardModel::show_outcomes(std::vector<RangeOutcome> outcomes, const CalibrationDesk::Target& target) {
   ++attempt_;
-  target_ = desk_.target();
-  rig_ = target_.rig;
+  take_on(target);
+  from_take_ = true;
   outcomes_.clear();
   merge(std::move(outcomes));
   set_page(RangePage::kResult);
 }
 
-void RangeWizardModel::decide(int sensor, Decision decision) {
-  for (RangeOutcome& outcome : outcomes_) {
-    if (outcome.sensor == sensor && (outcome.result || decision != Decision::kAccepted)) {
-      outcome.decision = decision;
-    }
-  }
-  Q_EMIT outcomes_changed();
+std::optional<calibrate::Verdict> RangeWizardModel::verdict(int i) const {
+  const auto& result = outcomes_.at(static_cast<std::size_t>(i)).result;
+  return result ? std::optional(result->verdict) : std::nullopt;
 }
 
 void RangeWizardModel::repeat(int sensor) {
-  if (page_ == RangePage::kResult && desk_.source().running()) {
+  if (page_ == RangePage::kResult && repeatable()) {
     start_turning({sensor});
   }
 }
 
-int RangeWizardModel::accepted() const {
-  return static_cast<int>(std::count_if(outcomes_.begin(), outcomes_.end(),
-                                        [](const auto& outcome) { return outcome.decision == Decision::kAccepted; }));
-}
-
-void RangeWizardModel::save() {
+CalibrationChange RangeWizardModel::accepted_change() const {
   CalibrationChange change;
   for (const RangeOutcome& outcome : outcomes_) {
     if (outcome.decision == Decision::kAccepted && outcome.result) {
       change.ranges.emplace_back(outcome.sensor, outcome.result->calibration);
     }
   }
-  const int count = static_cast<int>(change.ranges.size());
-  saving_ = true;
-  Q_EMIT outcomes_changed();
-  desk_.save(target_, std::move(change), [this, count](const Status& status) {
-    saving_ = false;
-    if (!status) {
-      Q_EMIT save_failed(core_text(status.error().text()));
-      Q_EMIT outcomes_changed();
-      return;
-    }
-    outcomes_.clear();
-    Q_EMIT saved(count);
-    Q_EMIT left();
-  });
+  return change;
 }
 
 }  // namespace limbwave::ui

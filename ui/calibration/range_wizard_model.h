@@ -1,4 +1,5 @@
-/// Range calibration as a sequence of pages, without widgets: choose sensors, read how, turn them, look at the verdict.
+/// Range calibration as a sequence of pages, without widgets: choose sensors,
+/// read how, turn them, look at the verdict.
 #pragma once
 
 #include <QObject>
@@ -10,6 +11,7 @@
 
 #include "calibrate/range_calibration.h"
 #include "calibration/calibration_desk.h"
+#include "calibration/wizard_model.h"
 
 namespace limbwave::ui {
 
@@ -27,22 +29,17 @@ struct RangeSensorState {
   std::array<bool, calibrate::SphereCoverage::kCells> visited{};
 };
 
-enum class Decision { kOpen, kAccepted, kDiscarded };
-
 /// One sensor's end.
-struct RangeOutcome {
-  int sensor = 0;
+struct RangeOutcome : Outcome {
   std::optional<calibrate::RangeResult> result;  ///< Empty: refused, `error` says why.
-  Error error;
-  Decision decision = Decision::kOpen;
-  std::optional<double> before_g;  ///< Residual of the attempt that this one replaces.
+  std::optional<double> before_g;                ///< Residual of the attempt that this one replaces.
   std::array<bool, calibrate::SphereCoverage::kCells> visited{};
 };
 
 /// Which cells of the sphere a running calibration has visited.
 std::array<bool, calibrate::SphereCoverage::kCells> visited_cells(const calibrate::RangeProgress& progress);
 
-class RangeWizardModel : public QObject {
+class RangeWizardModel : public WizardModel {
   Q_OBJECT
  public:
   static constexpr double kSignalSeconds = 8.0;  ///< Kept for the live picture.
@@ -50,22 +47,19 @@ class RangeWizardModel : public QObject {
   explicit RangeWizardModel(CalibrationDesk& desk, QObject* parent = nullptr);
 
   [[nodiscard]] RangePage page() const { return page_; }
-  [[nodiscard]] const body::Rig& rig() const { return rig_; }
-  [[nodiscard]] const CalibrationDesk::Target& target() const { return target_; }
-  [[nodiscard]] CalibrationDesk& desk() { return desk_; }
   [[nodiscard]] const std::vector<int>& chosen() const { return chosen_; }
 
-  /// Starts anew with these sensors chosen (empty: all that were never calibrated, or all).
+  /// Starts anew with these sensors chosen (empty: all that were never
+  /// calibrated, or all).
   void begin(std::vector<int> sensors);
   void choose(int sensor, bool on);
-  /// Why "next" is not possible now, with what to do; empty: it is.
-  [[nodiscard]] QString obstacle() const;
-  /// Enter: goes on from every page; on the turning page it ends the turning; on the result page it saves.
-  void next();
-  void back();
-  /// Whether leaving now would lose turning or verdicts.
-  [[nodiscard]] bool would_lose() const;
-  void cancel();
+  [[nodiscard]] QString obstacle() const override;
+  /// Enter: goes on from every page; on the turning page it ends the turning;
+  /// on the result page it saves.
+  void next() override;
+  void back() override;
+  [[nodiscard]] bool would_lose() const override;
+  void cancel() override;
 
   // Turning.
   [[nodiscard]] const std::vector<RangeSensorState>& states() const { return states_; }
@@ -76,30 +70,30 @@ class RangeWizardModel : public QObject {
   [[nodiscard]] double turning_s() const { return turning_s_; }
   /// Newest readings, times in seconds and nominal g, of the sensor shown.
   [[nodiscard]] const std::deque<decode::AccelerationFrame>& recent() const { return recent_; }
-  [[nodiscard]] bool source_lost() const { return page_ == RangePage::kTurn && !desk_.source().running(); }
-  /// Forgets what was turned so far.
+  /// The device died while the sensors were turned; it may be back by now.
+  [[nodiscard]] bool source_lost() const { return page_ == RangePage::kTurn && interrupted(); }
+  /// Forgets what was turned so far. After the device died: begins again, when
+  /// it is back.
   void start_over();
+  [[nodiscard]] bool can_start_over() const { return !interrupted() || desk_.source().running(); }
 
   // Result.
   [[nodiscard]] const std::vector<RangeOutcome>& outcomes() const { return outcomes_; }
-  void decide(int sensor, Decision decision);
-  /// Turns this sensor alone once more; the others' verdicts stay.
-  void repeat(int sensor);
-  [[nodiscard]] int accepted() const;
-  /// Puts accepted ones into the library and into use; ends in `saved` or `save_failed`.
-  void save();
-  /// Verdicts computed elsewhere: from a take's segment.
-  void show_outcomes(std::vector<RangeOutcome> outcomes);
+  [[nodiscard]] int count() const override { return static_cast<int>(outcomes_.size()); }
+  [[nodiscard]] std::optional<calibrate::Verdict> verdict(int i) const override;
+  void repeat(int sensor) override;
+  /// Verdicts computed elsewhere: from a stretch of a take.
+  void show_outcomes(std::vector<RangeOutcome> outcomes, const CalibrationDesk::Target& target);
 
  Q_SIGNALS:
-  void page_changed();
-  void choice_changed();
   void turned();    ///< New readings on the turning page.
   void sufficed();  ///< Every sensor has enough: once.
-  void outcomes_changed();
-  void saved(int sensors);
-  void save_failed(const QString& text);
-  void left();  ///< Cancelled, or done.
+
+ protected:
+  [[nodiscard]] Outcome& outcome_at(int i) override { return outcomes_.at(static_cast<std::size_t>(i)); }
+  void clear_outcomes() override { outcomes_.clear(); }
+  [[nodiscard]] CalibrationChange accepted_change() const override;
+  void keep_stretch() override;
 
  private:
   void set_page(RangePage page);
@@ -109,9 +103,6 @@ class RangeWizardModel : public QObject {
   void compute();
   void merge(std::vector<RangeOutcome> outcomes);
 
-  CalibrationDesk& desk_;
-  CalibrationDesk::Target target_;
-  body::Rig rig_;
   RangePage page_ = RangePage::kChoose;
   std::vector<int> chosen_;
   std::vector<int> turning_;
@@ -123,8 +114,6 @@ class RangeWizardModel : public QObject {
   int shown_ = -1;
   double first_s_ = -1.0, newest_s_ = 0.0, turning_s_ = 0.0;
   bool told_enough_ = false;
-  bool saving_ = false;
-  std::uint64_t attempt_ = 0;
 };
 
 }  // namespace limbwave::ui

@@ -6,8 +6,8 @@
 #include <QPushButton>
 
 #include "calibration/gauges.h"
-#include "calibration/range_wizard_model.h"
 #include "calibration/sphere_map.h"
+#include "calibration/wizard_model.h"
 
 namespace limbwave::ui {
 

@@ -22,6 +22,7 @@ QLabel* distance_label(QWidget* parent) {
 
 WizardFrame::WizardFrame(const QString& title, QWidget* parent)
     : QWidget(parent),
+      header_(new QHBoxLayout),
       steps_(dim_label({}, this)),
       pages_(new QStackedWidget(this)),
       question_(new QFrame(this)),
@@ -36,14 +37,13 @@ WizardFrame::WizardFrame(const QString& title, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kGrid, 2 * kGrid, 3 * kGrid, 2 * kGrid);
   layout->setSpacing(2 * kGrid);
-  auto* header = new QHBoxLayout;
   auto* heading = new QLabel(title, this);
   heading->setStyleSheet(QStringLiteral("font-size: 20px;"));
-  header->addWidget(heading);
-  header->addStretch();
+  header_->addWidget(heading);
+  header_->addStretch();
   steps_->setTextFormat(Qt::RichText);
-  header->addWidget(steps_);
-  layout->addLayout(header);
+  header_->addWidget(steps_);
+  layout->addLayout(header_);
   layout->addWidget(pages_, 1);
 
   question_->setProperty("card", true);
@@ -104,10 +104,16 @@ WizardFrame::WizardFrame(const QString& title, QWidget* parent)
   });
 }
 
+void WizardFrame::add_tool(QWidget* tool) {
+  header_->addSpacing(kGrid);
+  header_->addWidget(tool);
+}
+
 void WizardFrame::show_page(int index) {
   question_->hide();
   pages_->setCurrentIndex(index);
-  // Keys reach the wizard only while it has the focus; no button gets it, so that Space presses none by accident.
+  // Keys reach the wizard only while it has the focus; no button gets it, so
+  // that Space presses none by accident.
   if (isVisible()) {
     setFocus();
   }

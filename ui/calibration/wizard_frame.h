@@ -1,7 +1,8 @@
-/// What both wizards share: title and steps above, the page, buttons below; Enter goes on, Esc leaves and asks first
-/// when something would be lost.
+/// What both wizards share: title and steps above, the page, buttons below;
+/// Enter goes on, Esc leaves and asks first when something would be lost.
 #pragma once
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -18,8 +19,11 @@ class WizardFrame : public QWidget {
   int add_page(QWidget* page) { return pages_->addWidget(page); }
   void show_page(int index);
   [[nodiscard]] int page() const { return pages_->currentIndex(); }
+  /// A small button at the right of the heading.
+  void add_tool(QWidget* tool);
   void set_steps(const QStringList& steps, int current);
-  /// The verb on the main button, and why it cannot be pressed now (empty: it can).
+  /// The verb on the main button, and why it cannot be pressed now (empty: it
+  /// can).
   void set_next(const QString& verb, const QString& obstacle, bool shown = true);
   void set_back(const QString& verb, bool shown);
   void set_note(const QString& note) { note_->setText(note); }
@@ -37,6 +41,7 @@ class WizardFrame : public QWidget {
   void leave_anyway();  ///< The answer to `ask_leave`.
 
  private:
+  QHBoxLayout* header_;
   QLabel* steps_;
   QStackedWidget* pages_;
   QWidget* question_;

@@ -2,12 +2,10 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QMenu>
 #include <QPainter>
 #include <QScrollArea>
 #include <algorithm>
 
-#include "calibration/take_segments.h"
 #include "common/icons.h"
 #include "common/theme.h"
 
@@ -55,8 +53,8 @@ CalibrationSummary summarize(const body::Rig& rig, const calibrate::RigCalibrati
                                .arg(count);
   if (summary.ranges < count) {
     summary.next = CalibrateOverview::tr(
-        "Next: calibrate the range, once in a sensor's life. Uncalibrated sensors may point 6° "
-        "or more beside the truth.");
+        "Next: calibrate the range, once in a sensor's life. Uncalibrated sensors may point 6° or more beside the "
+        "truth.");
   } else if (summary.mounts < mountable) {
     summary.next = CalibrateOverview::tr("Next: put the sensors on and calibrate the mounting.");
   } else if (!bad.isEmpty()) {
@@ -164,7 +162,7 @@ CalibrateOverview::CalibrateOverview(CalibrationDesk& desk, QWidget* parent)
       subline_(dim_label({}, this)),
       range_(new QPushButton(tr("Calibrate range"), this)),
       mount_(new QPushButton(tr("Calibrate mounting"), this)),
-      from_take_(new QPushButton(tr("Compute from this take"), this)),
+      from_take_(new QPushButton(tr("From a recording"), this)),
       library_(new QPushButton(tr("Use the library's calibration"), this)),
       rows_layout_(nullptr) {
   setObjectName(QStringLiteral("calibrate_overview"));
@@ -213,8 +211,8 @@ CalibrateOverview::CalibrateOverview(CalibrationDesk& desk, QWidget* parent)
   connect(range_, &QPushButton::clicked, this, [this] { Q_EMIT range_wanted({}); });
   connect(mount_, &QPushButton::clicked, this, [this] { Q_EMIT mount_wanted(-1, false); });
   connect(library_, &QPushButton::clicked, &desk_, &CalibrationDesk::use_library);
-  auto* menu = new QMenu(from_take_);
-  from_take_->setMenu(menu);
+  from_take_->setToolTip(tr("Calibrate from a stretch of a take in which sensors were turned or poses held"));
+  connect(from_take_, &QPushButton::clicked, this, &CalibrateOverview::recording_wanted);
   connect(&desk_, &CalibrationDesk::changed, this, &CalibrateOverview::refresh);
   connect(&desk_.context().selection(), &Selection::changed, this, &CalibrateOverview::refresh_rows);
   refresh();
@@ -239,24 +237,6 @@ void CalibrateOverview::refresh() {
 }
 
 void CalibrateOverview::refresh_sources() {
-  QMenu* menu = from_take_->menu();
-  menu->clear();
-  const bool from_take = desk_.subject() == CalibrationDesk::Subject::kTake;
-  from_take_->setVisible(from_take);
-  if (from_take) {
-    const take::Take& take = *desk_.context().document().take();
-    if (has_range_segment(take)) {
-      menu->addAction(tr("Range of all sensors"), this, &CalibrateOverview::range_from_take_wanted);
-    }
-    for (const int group : groups_in_take(take)) {
-      menu->addAction(
-          tr("Mounting: %1").arg(QString::fromStdString(take.info.rig.groups[static_cast<std::size_t>(group)].name)),
-          this, [this, group] { Q_EMIT limb_from_take_wanted(group); });
-    }
-    from_take_->setEnabled(!menu->isEmpty());
-    from_take_->setToolTip(menu->isEmpty() ? tr("This take has no stretch in which sensors are turned or poses held.")
-                                           : QString());
-  }
   const calibrate::RigCalibration stored =
       newest_of_library(desk_.listing(), desk_.rig(), desk_.wearer().toStdString());
   const bool known = solve::is_measured(stored);

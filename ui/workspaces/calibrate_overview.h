@@ -1,4 +1,5 @@
-/// The rig's sensors and what is known of each: range, mounting, a verdict in colour and words, what to do next.
+/// The rig's sensors and what is known of each: range, mounting, a verdict in
+/// colour and words, what to do next.
 #pragma once
 
 #include <QFrame>
@@ -53,8 +54,7 @@ class CalibrateOverview : public QWidget {
   /// Empty: the wizard's own choice.
   void range_wanted(const std::vector<int>& sensors);
   void mount_wanted(int sensor, bool only);
-  void range_from_take_wanted();
-  void limb_from_take_wanted(int group);
+  void recording_wanted();
 
  private:
   void refresh_rows();
@@ -71,7 +71,8 @@ class CalibrateOverview : public QWidget {
   std::vector<SensorRow*> rows_;
 };
 
-/// How far a rig's calibration is: "5 of 5 ranges, 3 of 5 mountings", and what comes next.
+/// How far a rig's calibration is: "5 of 5 ranges, 3 of 5 mountings", and what
+/// comes next.
 struct CalibrationSummary {
   QString headline, next;
   int ranges = 0, mounts = 0;

@@ -1,8 +1,8 @@
 #include "workspaces/calibrate_workspace.h"
 
 #include <QVBoxLayout>
+#include <utility>
 
-#include "calibration/take_segments.h"
 #include "workspaces/calibrate_history.h"
 
 namespace limbwave::ui {
@@ -15,24 +15,26 @@ CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::Calibration
       desk_(std::make_unique<CalibrationDesk>(context, *source_, std::move(library))),
       range_model_(std::make_unique<RangeWizardModel>(*desk_)),
       limb_model_(std::make_unique<LimbWizardModel>(*desk_)),
+      stretch_model_(std::make_unique<StretchModel>(*desk_)),
       pages_(new QStackedWidget(this)),
       empty_(new EmptyState(QStringLiteral("calibrate"), pages_)),
       overview_(new CalibrateOverview(*desk_, pages_)),
       range_wizard_(new RangeWizard(*range_model_, pages_)),
-      limb_wizard_(new LimbWizard(*limb_model_, pages_)) {
+      limb_wizard_(new LimbWizard(*limb_model_, pages_)),
+      stretch_page_(new StretchPage(*stretch_model_, pages_)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(pages_);
-  empty_->set_texts(tr("Nothing to calibrate yet"),
-                    tr("Open a device in Capture to calibrate its sensors, or open a take to look at its calibration "
-                       "and compute it anew."));
+  empty_->set_texts(tr("Nothing to calibrate yet"), tr("Open a device in Capture to calibrate its sensors, or open a "
+                                                       "take to look at its calibration and compute it anew."));
   QPushButton* device = empty_->add_button(tr("Open a device in Capture"), true);
   device->setObjectName(QStringLiteral("open_device"));
   const auto go_to_devices = [this] { context_.reveal(QStringLiteral("capture"), QStringLiteral("devices")); };
   connect(device, &QPushButton::clicked, this, go_to_devices);
-  QPushButton* take = empty_->add_button(tr("Choose a take"), false);
-  connect(take, &QPushButton::clicked, this, [this] { context_.reveal(QStringLiteral("welcome")); });
-  for (QWidget* page : std::initializer_list<QWidget*>{empty_, overview_, range_wizard_, limb_wizard_}) {
+  QPushButton* recording = empty_->add_button(tr("Calibrate from a recording"), false);
+  recording->setObjectName(QStringLiteral("empty_from_take"));
+  connect(recording, &QPushButton::clicked, this, &CalibrateWorkspace::start_stretch);
+  for (QWidget* page : std::initializer_list<QWidget*>{empty_, overview_, range_wizard_, limb_wizard_, stretch_page_}) {
     pages_->addWidget(page);
   }
   connect(desk_.get(), &CalibrationDesk::changed, this, [this] {
@@ -42,17 +44,29 @@ CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::Calibration
   });
   connect(overview_, &CalibrateOverview::range_wanted, this, &CalibrateWorkspace::start_range);
   connect(overview_, &CalibrateOverview::mount_wanted, this, &CalibrateWorkspace::start_limb);
-  connect(overview_, &CalibrateOverview::range_from_take_wanted, this, &CalibrateWorkspace::range_from_this_take);
-  connect(overview_, &CalibrateOverview::limb_from_take_wanted, this, &CalibrateWorkspace::limb_from_this_take);
+  connect(overview_, &CalibrateOverview::recording_wanted, this, &CalibrateWorkspace::start_stretch);
   connect(range_wizard_, &RangeWizard::device_wanted, this, go_to_devices);
   connect(limb_wizard_, &LimbWizard::device_wanted, this, go_to_devices);
   connect(limb_wizard_, &LimbWizard::range_wanted, this, &CalibrateWorkspace::start_range);
-  connect(range_model_.get(), &RangeWizardModel::left, this, &CalibrateWorkspace::show_overview);
-  connect(limb_model_.get(), &LimbWizardModel::left, this, &CalibrateWorkspace::show_overview);
-  connect(range_model_.get(), &RangeWizardModel::saved, this,
-          [this](int count) { tell_saved(count, tr("Range calibration")); });
-  connect(limb_model_.get(), &LimbWizardModel::saved, this,
-          [this](int count) { tell_saved(count, tr("Mounting calibration")); });
+  for (WizardModel* model : std::initializer_list<WizardModel*>{range_model_.get(), limb_model_.get()}) {
+    connect(model, &WizardModel::left, this, &CalibrateWorkspace::leave_wizard);
+  }
+  connect(range_model_.get(), &WizardModel::saved, this,
+          [this](int count) { tell_saved(count, tr("Range calibration"), range_model_->from_take()); });
+  connect(limb_model_.get(), &WizardModel::saved, this,
+          [this](int count) { tell_saved(count, tr("Mounting calibration"), limb_model_->from_take()); });
+  connect(stretch_page_, &StretchPage::left, this, &CalibrateWorkspace::show_overview);
+  connect(stretch_model_.get(), &StretchModel::range_found, this, [this](const std::vector<RangeOutcome>& outcomes) {
+    pages_->setCurrentWidget(range_wizard_);
+    range_model_->show_outcomes(outcomes, stretch_model_->target());
+  });
+  connect(stretch_model_.get(), &StretchModel::limb_found, this, [this](const LimbFromTake& found) {
+    pages_->setCurrentWidget(limb_wizard_);
+    limb_model_->show_outcomes(found.group, found.outcomes, found.refusal, stretch_model_->target());
+  });
+  connect(stretch_model_.get(), &StretchModel::failed, this, [this](const Error& error) {
+    context_.notifications().post_error(tr("Calibration from a recording"), error);
+  });
   show_overview();
 }
 
@@ -67,7 +81,8 @@ void CalibrateWorkspace::activate() {
 
 QWidget* CalibrateWorkspace::create_inspector() {
   auto* history = new CalibrateHistory(*desk_);
-  // The window owns it from now on and may keep it longer than the desk that it shows.
+  // The window owns it from now on and may keep it longer than the desk that it
+  // shows.
   connect(this, &QObject::destroyed, history, &QObject::deleteLater);
   return history;
 }
@@ -77,6 +92,8 @@ void CalibrateWorkspace::reveal(const QString& topic) {
     start_range({});
   } else if (topic == QLatin1String("mounting")) {
     start_limb(-1, false);
+  } else if (topic == QLatin1String("recording")) {
+    start_stretch();
   } else if (topic.startsWith(QLatin1String("sensor:"))) {
     context_.selection().select(SelectionKind::kSensor, topic.mid(7).toInt());
   }
@@ -101,47 +118,27 @@ void CalibrateWorkspace::start_limb(int sensor, bool only) {
   }
 }
 
-void CalibrateWorkspace::range_from_this_take() {
-  if (!context_.document().is_open()) {
-    return;
-  }
-  using Outcomes = std::vector<RangeOutcome>;
-  const std::shared_ptr<const take::Take> take = context_.document().take();
-  context_.jobs().compute<Outcomes>(
-      tr("Range calibration from %1").arg(context_.document().name()), this,
-      [take](const Progress& progress) { return range_from_take(*take, progress); },
-      [this, take](Result<Outcomes> outcomes) {
-        if (!outcomes) {
-          context_.notifications().post_error(tr("Range calibration"), outcomes.error());
-        } else if (context_.document().take() == take) {
-          pages_->setCurrentWidget(range_wizard_);
-          range_model_->show_outcomes(std::move(outcomes).value());
-        }
-      });
+void CalibrateWorkspace::start_stretch() {
+  pages_->setCurrentWidget(stretch_page_);
+  stretch_model_->begin();
+  stretch_page_->setFocus();
 }
 
-void CalibrateWorkspace::limb_from_this_take(int group) {
-  if (!context_.document().is_open()) {
-    return;
+void CalibrateWorkspace::leave_wizard() {
+  // Verdicts that were thrown away lead back to the stretch that they came
+  // from: another one may be better.
+  const auto* wizard = dynamic_cast<CalibrationWizard*>(pages_->currentWidget());
+  const WizardModel* model = wizard == limb_wizard_ ? static_cast<WizardModel*>(limb_model_.get()) : range_model_.get();
+  if (wizard != nullptr && model->from_take() && !std::exchange(just_saved_, false)) {
+    pages_->setCurrentWidget(stretch_page_);
+  } else {
+    show_overview();
   }
-  const std::shared_ptr<const take::Take> take = context_.document().take();
-  context_.jobs().compute<LimbFromTake>(
-      tr("Mounting calibration from %1").arg(context_.document().name()), this,
-      [take, group, range = desk_->calibration()](const Progress& progress) {
-        return limb_from_take(*take, group, range, progress);
-      },
-      [this, take](Result<LimbFromTake> found) {
-        if (!found) {
-          context_.notifications().post_error(tr("Mounting calibration"), found.error());
-        } else if (context_.document().take() == take) {
-          pages_->setCurrentWidget(limb_wizard_);
-          limb_model_->show_outcomes(found->group, std::move(found->outcomes), found->refusal);
-        }
-      });
 }
 
-void CalibrateWorkspace::tell_saved(int count, const QString& what) {
-  const QString where = desk_->recording_folder().empty() ? QString() : desk_->recording_note();
+void CalibrateWorkspace::tell_saved(int count, const QString& what, bool from_take) {
+  just_saved_ = from_take;
+  const QString where = from_take || desk_->recording_folder().empty() ? QString() : desk_->recording_note();
   context_.notifications().post(Severity::kInfo, tr("%1 of %2 is saved and in use.").arg(what, counted_sensors(count)),
                                 where);
 }

@@ -1,4 +1,5 @@
-/// Calibrate: the overview of all sensors, and the two wizards in its place while they run.
+/// Calibrate: the overview of all sensors, and the two wizards in its place
+/// while they run.
 #pragma once
 
 #include <QStackedWidget>
@@ -6,6 +7,7 @@
 
 #include "calibration/limb_wizard.h"
 #include "calibration/range_wizard.h"
+#include "calibration/stretch_page.h"
 #include "common/widgets.h"
 #include "workspaces/calibrate_overview.h"
 #include "workspaces/workspace.h"
@@ -22,12 +24,14 @@ class CalibrateWorkspace : public Workspace {
 
   void activate() override;
   QWidget* create_inspector() override;
-  /// "range", "mounting", "sensor:2".
+  /// "range", "mounting", "recording", "sensor:2".
   void reveal(const QString& topic) override;
 
   [[nodiscard]] CalibrationDesk& desk() { return *desk_; }
   [[nodiscard]] RangeWizardModel& range_model() { return *range_model_; }
   [[nodiscard]] LimbWizardModel& limb_model() { return *limb_model_; }
+  [[nodiscard]] StretchModel& stretch_model() { return *stretch_model_; }
+  [[nodiscard]] StretchPage* stretch_page() const { return stretch_page_; }
   [[nodiscard]] RangeWizard* range_wizard() const { return range_wizard_; }
   [[nodiscard]] LimbWizard* limb_wizard() const { return limb_wizard_; }
 
@@ -35,20 +39,23 @@ class CalibrateWorkspace : public Workspace {
   void show_overview();
   void start_range(const std::vector<int>& sensors);
   void start_limb(int sensor, bool only);
-  void range_from_this_take();
-  void limb_from_this_take(int group);
-  void tell_saved(int count, const QString& what);
+  void start_stretch();
+  void leave_wizard();
+  void tell_saved(int count, const QString& what, bool from_take);
 
   StudioContext& context_;
   std::unique_ptr<CalibrationSource> source_;
   std::unique_ptr<CalibrationDesk> desk_;
   std::unique_ptr<RangeWizardModel> range_model_;
   std::unique_ptr<LimbWizardModel> limb_model_;
+  std::unique_ptr<StretchModel> stretch_model_;
   QStackedWidget* pages_;
   EmptyState* empty_;
   CalibrateOverview* overview_;
   RangeWizard* range_wizard_;
   LimbWizard* limb_wizard_;
+  StretchPage* stretch_page_;
+  bool just_saved_ = false;
 };
 
 /// Row of the workspace table.

@@ -172,7 +172,7 @@ class CalibrationSourcesTest : public QObject {
     QVERIFY(desk.subject() == CalibrationDesk::Subject::kTake);
     const bool before = solve::is_measured(desk.calibration());
     RangeWizardModel model(desk);
-    model.show_outcomes(ranges.value());
+    model.show_outcomes(ranges.value(), desk.target());
     QCOMPARE(model.accepted(), 5);
     QSignalSpy saved(&model, &RangeWizardModel::saved);
     model.next();

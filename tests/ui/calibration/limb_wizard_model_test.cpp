@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "calibration/range_wizard_model.h"
 #include "geometry/so3.h"
 #include "ui/calibration/simulated_wearer.h"
 

@@ -168,6 +168,32 @@ class RangeWizardModelTest : public QObject {
     QVERIFY(bench.model.outcomes().front().result);
     bench.model.repeat(0);
     QCOMPARE(bench.model.page(), RangePage::kResult);
+    // Nothing runs that could use it; the library keeps it for the next time.
+    QSignalSpy saved(&bench.model, &RangeWizardModel::saved);
+    bench.model.next();
+    QTRY_COMPARE(saved.count(), 1);
+    QCOMPARE(bench.desk.library().list().sensors.size(), std::size_t{1});
+    QCOMPARE(bench.source.calibration().sensors[0].method, std::string("nominal"));
+  }
+
+  void what_is_turned_after_the_device_came_back_is_not_mixed_with_what_was_before() {
+    RangeBench bench;
+    bench.start({0});
+    bench.wearer.turn(10.0);
+    const double turned_s = bench.model.turning_s();
+    QSignalSpy lost(&bench.model, &RangeWizardModel::device_lost);
+    bench.source.set_running(false);
+    QCOMPARE(lost.count(), 1);
+    QCOMPARE(bench.source.recordings_stopped, 1);
+    QVERIFY(!bench.model.can_start_over());
+    bench.source.set_running(true);
+    bench.wearer.turn(10.0);
+    QCOMPARE(bench.model.turning_s(), turned_s);
+    QVERIFY(bench.model.source_lost());
+    bench.model.start_over();
+    QVERIFY(!bench.model.source_lost());
+    bench.wearer.turn(90.0);
+    QVERIFY(bench.model.all_enough());
   }
 
   void raw_signals_are_kept_or_it_is_told_why_not() {

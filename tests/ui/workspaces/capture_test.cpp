@@ -107,6 +107,7 @@ class CaptureTest : public QObject {
     QTest::keyClick(table, Qt::Key_F2);
     editor = table->findChild<QLineEdit*>();
     QVERIFY(editor != nullptr);
+    QCOMPARE(editor->text(), table->item(0, 0)->text());
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("0:00.50"));
     QTest::keyClick(editor, Qt::Key_Return);
@@ -143,6 +144,35 @@ class CaptureTest : public QObject {
     QCOMPARE(table->rowCount(), 1);
     QCOMPARE(table->item(0, 1)->text(), QStringLiteral("jump"));
     QVERIFY(capture.find<QToolButton>("marker_rename") != nullptr);
+  }
+
+  void what_is_being_typed_stays_when_the_list_changes() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "simulator:wave"));
+    capture.workspace->model().start_recording();
+    QTRY_VERIFY(capture.live().recording());
+    MarkerModel& markers = capture.studio.context->markers();
+    QVERIFY(markers.mark_now(QStringLiteral("jump")));
+    const std::int64_t sample = markers.markers().front().sample;
+    QTest::qWait(100);
+    auto* table = capture.find<QTableWidget>("marker_list");
+    for (const auto& [column, typed] : {std::pair(1, QStringLiteral("hop")), std::pair(0, QStringLiteral("0:00.00"))}) {
+      table->setCurrentCell(0, column);
+      QTest::keyClick(table, Qt::Key_F2);
+      auto* editor = table->findChild<QLineEdit*>();
+      QVERIFY(editor != nullptr);
+      editor->selectAll();
+      QTest::keyClicks(editor, typed);
+      QVERIFY(markers.mark_now());
+      QVERIFY(markers.rename(2, QStringLiteral("other %1").arg(column)));
+      QCOMPARE(editor->text(), typed);
+      QTest::keyClick(editor, Qt::Key_Return);
+      QTRY_VERIFY(table->findChild<QLineEdit*>() == nullptr);
+    }
+    QTRY_COMPARE(markers.find(1)->text, QStringLiteral("hop"));
+    QTRY_COMPARE(markers.find(1)->sample, std::int64_t{0});
+    QVERIFY(sample > 0);
+    QCOMPARE(table->rowCount(), 3);
   }
 
   void a_time_that_is_none_is_refused_in_words() {

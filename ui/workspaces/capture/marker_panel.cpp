@@ -110,12 +110,17 @@ void MarkerPanel::refresh() {
       item->setText(texts[column]);
       item->setToolTip(column == kName ? marker.text : tr("Double click to type another time"));
       item->setData(Qt::UserRole, static_cast<qlonglong>(marker.number));
-      item->setFlags(flags);
+      // Setting them, even to what they are, puts the old text into an editor that is open on the item.
+      if (item->flags() != flags) {
+        item->setFlags(flags);
+      }
     }
   }
   const int row = row_of(chosen);
   if (row >= 0) {
-    table_->selectRow(row);
+    if (row != table_->currentRow()) {
+      table_->selectRow(row);  // Another cell of the row would end what is being typed in this one.
+    }
   } else {
     table_->setCurrentCell(-1, -1);
     if (grew && context_.markers().recording()) {
