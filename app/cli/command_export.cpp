@@ -1,23 +1,34 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "base/units.h"
 #include "commands.h"
+#include "interchange/bone_map.h"
 #include "interchange/bvh_reader.h"
-#include "interchange/bvh_writer.h"
-#include "interchange/csv_poses.h"
+#include "interchange/export_file.h"
 #include "interchange/fbx_reader.h"
-#include "interchange/fbx_writer.h"
-#include "interchange/frame_rate.h"
 #include "interchange/gltf_clip.h"
+#include "interchange/gltf_file.h"
+#include "interchange/mesh_file.h"
+#include "motion/skinning.h"
 #include "solve/solve.h"
 #include "take/take.h"
 
 namespace limbwave::cli {
 namespace {
+
+struct Options {
+  std::vector<std::string> inputs;
+  std::string output, solve = "default", preset = "plain", unit, root, mesh, json;
+  double fps = 0.0, from = 0.0, to = -1.0, key_tolerance_deg = 0.0;
+  bool no_mesh = false, no_rest_frame = false;
+};
 
 // ".BVH" of another program is ".bvh" too.
 std::string extension_of(const std::filesystem::path& path) {
@@ -25,6 +36,13 @@ std::string extension_of(const std::filesystem::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return letter < 0x80 ? std::tolower(letter) : letter; });
   return extension;
+}
+
+motion::Clip first_of(std::vector<motion::Clip> clips, const std::string& input, Console& console) {
+  if (clips.size() > 1) {
+    console.print(fmt::format("{}: the first of {} movements is taken", input, clips.size()));
+  }
+  return std::move(clips.front());
 }
 
 motion::Clip load_clip(const std::string& input, const std::string& solve, Console& console) {
@@ -39,66 +57,129 @@ motion::Clip load_clip(const std::string& input, const std::string& solve, Conso
     read.metres_per_unit = std::nullopt;  // the file does not say; the skeleton's size does
     return console.check(interchange::load_bvh(path, read));
   }
-  if (extension == ".glb") {
-    return console.check(interchange::load_glb(path));
+  if (extension == ".glb" || extension == ".gltf" || extension == ".vrm") {
+    // A take's own clip says more than glTF does.
+    if (Result<motion::Clip> own = interchange::load_glb(path)) {
+      return *std::move(own);
+    }
+    Diagnostics findings;
+    std::vector<motion::Clip> clips = console.check(interchange::load_gltf(path, &findings));
+    console.print(findings);
+    return first_of(std::move(clips), input, console);
   }
   if (extension == ".fbx") {
-    std::vector<motion::Clip> clips = console.check(interchange::load_fbx(path));
-    if (clips.size() > 1) {
-      console.print(fmt::format("{}: the first of {} movements is taken", input, clips.size()));
-    }
-    return std::move(clips.front());
+    return first_of(console.check(interchange::load_fbx(path)), input, console);
   }
-  console.fail(
-      {"is neither a take nor an animation that can be read", input, "name a take's folder, a .bvh, a .glb or a .fbx"});
+  console.fail({"is neither a take nor an animation that can be read", input,
+                "name a take's folder, a .bvh, .glb, .gltf, .vrm or .fbx"});
+}
+
+// The mesh in the pose in which meshes are made: a T-pose for a person, the rest pose for what is none.
+std::shared_ptr<const motion::SkinnedMesh> skin(const motion::Clip& clip, const std::string& file, Console& console) {
+  const motion::TriangleMesh mesh = console.check(interchange::load_mesh(file));
+  const std::vector<std::string> roles = interchange::roles_of(clip.skeleton);
+  const motion::Clip posed = motion::with_rest(clip, interchange::t_pose(clip.skeleton, roles));
+  const std::vector<body::SegmentPose> bind = motion::rest_poses(posed.skeleton);
+  return std::make_shared<motion::SkinnedMesh>(
+      console.check(motion::skinned(motion::fitted(mesh, bind), clip.skeleton, bind, {}, console.progress())));
+}
+
+interchange::ExportOptions read_options(const Options& options, Console& console) {
+  interchange::ExportOptions result;
+  result.preset = console.check(interchange::load_preset(options.preset));
+  result.fps = options.fps;
+  result.begin_s = options.from;
+  if (options.to >= 0.0) {
+    result.end_s = options.to;
+  }
+  if (options.root == "in-place") {
+    result.root_motion = motion::RootMotion::kInPlace;
+  } else if (options.root == "free") {
+    result.root_motion = motion::RootMotion::kFree;
+  }
+  if (!options.unit.empty()) {
+    result.unit = options.unit == "cm" ? interchange::FileUnit::kCentimetres : interchange::FileUnit::kMetres;
+  }
+  result.rest_frame = !options.no_rest_frame;
+  result.key_tolerance_rad = radians(options.key_tolerance_deg);
+  result.mesh = !options.no_mesh;
+  return result;
+}
+
+void run(const Options& options, bool as_json, Console& console) {
+  std::vector<motion::Clip> clips;
+  for (const std::string& input : options.inputs) {
+    clips.push_back(load_clip(input, options.solve, console));
+    if (!options.mesh.empty()) {
+      clips.back().meshes = {skin(clips.back(), options.mesh, console)};
+    }
+  }
+  std::vector<const motion::Clip*> pointers;
+  for (const motion::Clip& clip : clips) {
+    pointers.push_back(&clip);
+  }
+  const interchange::ExportReport report = console.check(
+      interchange::export_file(pointers, options.output, read_options(options, console), console.progress()));
+  if (as_json) {
+    console.print_json({{"file", options.output},
+                        {"bytes", report.bytes},
+                        {"actors", report.actors},
+                        {"bones", report.bones},
+                        {"frames", report.frames},
+                        {"fps", report.fps},
+                        {"duration_s", report.duration_s},
+                        {"keys_before", report.keys_before},
+                        {"keys", report.keys_after},
+                        {"worst_difference_m", report.worst_m}},
+                       options.json);
+    return;
+  }
+  console.print(fmt::format("{}: {} bones, {} frames at {:.6g} Hz, {:.2f} s; read back, joints within {:.3f} mm",
+                            options.output, report.bones, report.frames, report.fps, report.duration_s,
+                            1e3 * report.worst_m));
+  if (report.keys_after < report.keys_before) {
+    console.print(fmt::format("{} of {} keys are left", report.keys_after, report.keys_before));
+  }
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Console& console) {
-  struct Options {
-    std::string input, output, solve = "default", unit = "cm";
-    double fps = 0.0;
-  };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("export", "Write a solve or clip for animation programs");
-  command->add_option("INPUT", options->input, "Take, or animation (.bvh, .glb, .fbx)")->required();
-  command->add_option("-o,--output", options->output, "File to write: .bvh, .csv, .glb or .fbx")->required();
+  CLI::App* command = app.add_subcommand("export", "Write solves or clips for animation programs, and check the file");
+  command->add_option("INPUT", options->inputs, "Takes, or animations (.bvh, .glb, .gltf, .fbx): one an actor")
+      ->required();
+  command->add_option("-o,--output", options->output, "File to write: .fbx, .glb, .gltf, .vrm, .bvh or .csv")
+      ->required();
   command->add_option("--solve", options->solve, "Name of the solve")->capture_default_str();
+  command
+      ->add_option("--preset", options->preset,
+                   fmt::format("Program that it is for: {}, or a file", fmt::join(interchange::preset_names(), ", ")))
+      ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames a second; 0: as the clip has them")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
-  command->add_option("--unit", options->unit, "Unit of lengths in BVH and FBX")
-      ->check(CLI::IsMember({"cm", "m"}))
+  command->add_option("--from", options->from, "First second that is written")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->footer("Example: limbwave export reach.take -o reach.bvh --fps 30");
-  command->callback([options, &console] {
-    motion::Clip clip = load_clip(options->input, options->solve, console);
-    const std::filesystem::path output(options->output);
-    const std::string extension = extension_of(output);
-    const double fps = interchange::exact_frame_rate(options->fps);
-    if (fps > 0.0 && extension != ".fbx") {
-      clip = motion::resampled(clip, fps);
-    }
-    if (extension == ".bvh") {
-      interchange::BvhWriteOptions write;
-      write.unit = options->unit == "cm" ? interchange::BvhUnit::kCentimetres : interchange::BvhUnit::kMetres;
-      write.fps = fps;
-      console.check(interchange::write_bvh(clip, output, write, console.progress()));
-    } else if (extension == ".csv") {
-      console.check(interchange::write_csv_poses(clip, output));
-    } else if (extension == ".glb") {
-      console.check(interchange::write_glb(clip, output));
-    } else if (extension == ".fbx") {
-      interchange::FbxWriteOptions write;
-      write.fps = fps;
-      write.metres_per_unit = options->unit == "cm" ? 0.01 : 1.0;
-      console.check(interchange::write_fbx(clip, output, write, console.progress()));
-    } else {
-      console.fail({"has an ending that cannot be written", options->output, "use .bvh, .csv, .glb or .fbx"});
-    }
-    console.print(fmt::format("{}: {} joints, {:.2f} s", options->output, clip.joints.size(), clip.duration()));
-  });
+  command->add_option("--to", options->to, "Last second that is written; default: the end")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--root", options->root, "Way over the floor: free or in-place; default: as the preset has it")
+      ->check(CLI::IsMember({"free", "in-place"}));
+  command
+      ->add_option("--key-tolerance", options->key_tolerance_deg,
+                   "Leave out keys as long as no joint turns by more, degrees; 0: keep all")
+      ->check(CLI::Range(0.0, 45.0))
+      ->capture_default_str();
+  command->add_option("--unit", options->unit, "Unit of lengths in BVH and FBX: cm or m; default: as the preset has it")
+      ->check(CLI::IsMember({"cm", "m"}));
+  auto* mesh = command->add_option("--mesh", options->mesh, "Mesh to skin to the skeleton (.obj, .glb, .fbx)")
+                   ->check(CLI::ExistingFile);
+  command->add_flag("--no-mesh", options->no_mesh, "No skinned mesh, not even a mannequin")->excludes(mesh);
+  command->add_flag("--no-rest-frame", options->no_rest_frame, "No rest pose on frame 0, where the preset has one");
+  add_json_option(*command, options->json, "Write what was exported as JSON");
+  command->footer("Example: limbwave export reach.take -o reach.fbx --preset unreal --fps 30");
+  command->callback([options, command, &console] { run(*options, command->count("--json") > 0, console); });
 }
 
 }  // namespace limbwave::cli

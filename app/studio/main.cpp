@@ -14,6 +14,7 @@
 #include "common/theme.h"
 #include "pictures.h"
 #include "workspaces/main_window.h"
+#include "workspaces/studio_application.h"
 #include "workspaces/take_actions.h"
 #include "workspaces/workspace.h"
 
@@ -39,7 +40,7 @@ void install_translations(QApplication& application) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QApplication application(argc, argv);
+  limbwave::ui::StudioApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("limbwave-studio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Limbwave"));
   QApplication::setApplicationVersion(QStringLiteral(LIMBWAVE_VERSION));
@@ -80,6 +81,7 @@ int main(int argc, char** argv) {
 
   limbwave::ui::StudioContext context(limbwave::ui::core_services(),
                                       QString::fromStdString(limbwave::user_data_folder().string()));
+  application.set_notifications(&context.notifications());
   QString colours = parser.value(theme);
   if (colours.isEmpty()) {
     colours = context.settings().value(QStringLiteral("theme")).toString();

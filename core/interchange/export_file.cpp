@@ -159,16 +159,6 @@ Result<ReadBack> check(const std::vector<Clip>& meant, FileFormat format, const 
 
 }  // namespace
 
-double exact_rate(double fps) {
-  for (const double whole : {24.0, 30.0, 48.0, 60.0, 120.0}) {
-    const double television = whole / 1.001;
-    if (std::abs(fps - television) < 1.5e-3) {
-      return television;
-    }
-  }
-  return fps;
-}
-
 Result<FileFormat> format_of(const fs::path& path) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(),
@@ -192,7 +182,7 @@ Result<std::vector<Clip>> prepared(std::span<const Clip* const> clips, FileForma
   if (!has_bone_frames(format) && clips.size() > 1) {
     return Error{"one file of this format holds one actor", clips[1]->name, "export every actor to a file of its own"};
   }
-  const double fps = exact_rate(options.fps > 0.0 ? options.fps : clips.front()->frame_rate_hz);
+  const double fps = exact_frame_rate(options.fps > 0.0 ? options.fps : clips.front()->frame_rate_hz);
   if (!(fps > 0.0 && fps <= kHighestFrameRate)) {
     return Error{fmt::format("{} is not a frame rate", fps), clips.front()->name, "give the frames per second"};
   }

@@ -23,7 +23,7 @@ Result<FileFormat> format_of(const std::filesystem::path& path);
 
 struct ExportOptions {
   Preset preset;         ///< Default: plain.
-  double fps = 0.0;      ///< Frames a second; 0: those of the first clip. 23.976 means 24/1.001, 29.97 30/1.001, ...
+  double fps = 0.0;      ///< Frames a second; 0: those of the first clip. 23.976 means 24/1.001, and so on.
   double begin_s = 0.0;  ///< The part of the clips that is written; what is outside them is left out.
   double end_s = std::numeric_limits<double>::infinity();
   std::optional<motion::RootMotion> root_motion;  ///< Instead of the preset's.
@@ -62,8 +62,5 @@ Result<std::vector<motion::Clip>> prepared(std::span<const motion::Clip* const> 
 /// or replaces an older one, only when all is right. Fails also when cancelled.
 Result<ExportReport> export_file(std::span<const motion::Clip* const> clips, const std::filesystem::path& path,
                                  const ExportOptions& options = {}, const Progress& progress = {});
-
-/// 23.976, 29.97, 47.952, 59.94 and 119.88 as the fractions of television that they mean; others as they are.
-double exact_rate(double fps);
 
 }  // namespace limbwave::interchange

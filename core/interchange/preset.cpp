@@ -121,7 +121,8 @@ Result<Preset> load_preset(const std::string& name_or_path) {
 
 std::vector<std::string> preset_names() {
   std::vector<std::string> names = resource_names("presets");
-  std::ranges::stable_partition(names, [](const std::string& name) { return name == "plain"; });
+  // Not the one of std::ranges, which Clang 14 does not compile.
+  std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name == "plain"; });
   return names;
 }
 

@@ -70,9 +70,10 @@ bool LiveWorker::step() {
   if (count == 0) {
     return false;
   }
-  const double arrived_s = now_s();
   // After the pull: what came meanwhile makes this later than it need be, which the clock does not mind.
   const double newest_s = source->newest_frame_time_s();
+  // Later than that, so that nothing seems to have arrived before it was captured.
+  const double arrived_s = now_s();
   const std::span<const std::byte> fresh(bytes_.data(), count);
   record(fresh);
   samples_.resize(count / acquire::bytes_per_sample(format.type));

@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "interchange/bvh_reader.h"
 #include "interchange/fbx_reader.h"
+#include "interchange/frame_rate.h"
 #include "interchange/gltf_file.h"
 #include "interchange/random_clip.h"
 #include "interchange/read_back.h"
@@ -83,7 +84,7 @@ TEST(ExportFile, EveryRateKeepsTheMovementOfTheCapture) {
     options.fps = fps;
     const auto report = exported(clip, folder / "x.fbx", options);
     ASSERT_TRUE(report.ok()) << report.error().text();
-    const double exact = exact_rate(fps);
+    const double exact = exact_frame_rate(fps);
     EXPECT_NEAR(exact, fps, 2e-3);
     const Clip read = load_fbx(folder / "x.fbx")->front();
     EXPECT_NEAR(read.frame_rate_hz, exact, exact * 1e-6) << fps;
@@ -94,8 +95,8 @@ TEST(ExportFile, EveryRateKeepsTheMovementOfTheCapture) {
       EXPECT_LT((a[2].p_WL - b[2].p_WL).norm(), 2e-5) << fps << " at " << t;
     }
   }
-  EXPECT_EQ(exact_rate(23.976), 24.0 / 1.001);
-  EXPECT_EQ(exact_rate(23.0), 23.0);
+  EXPECT_EQ(exact_frame_rate(23.976), 24.0 / 1.001);
+  EXPECT_EQ(exact_frame_rate(23.0), 23.0);
 }
 
 TEST(ExportFile, APartAndFewerKeys) {

@@ -144,7 +144,7 @@ TEST_F(TakeCalibration, EverySourceByName) {
   simulate(0.0, false);
   EXPECT_THAT(choose_calibration(take, decoded, "segments").error().message, HasSubstr("no calibration segments"));
   EXPECT_THAT(choose_calibration(take, decoded, "snapshot").error().message, HasSubstr("no calibration in it"));
-  EXPECT_THAT(choose_calibration(take, decoded, "library").error().message, HasSubstr("library does not know"));
+  EXPECT_THAT(choose_calibration(take, decoded, "library").error().message, HasSubstr("library has nothing for rig"));
   EXPECT_FALSE(choose_calibration(take, decoded, "oracle"));
   EXPECT_EQ(chosen("nominal").source, "nominal");
   EXPECT_THAT(codes(chosen("nominal").diagnostics), testing::IsEmpty()) << "asked for";

@@ -282,7 +282,9 @@ TEST_F(DamagedTake, VerifyTellsOfAFolderThatCannotBeListed) {
   const fs::path locked = path / "solves" / "default";
   fs::create_directories(locked);
   fs::permissions(locked, fs::perms::none);
-  fs::permissions(folder.path(), fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  // The child keeps the superuser's group.
+  fs::permissions(folder.path(), fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                                     fs::perms::others_read | fs::perms::others_exec);
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {

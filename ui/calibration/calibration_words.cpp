@@ -78,6 +78,41 @@ CalibrationState mount_state(const calibrate::MountCalibration& mount) {
           joined(method_words(mount.method), format_date(mount.date))};
 }
 
+CalibrationLine calibration_line(const calibrate::RigCalibration& calibration, const QString& wearer) {
+  // How many were measured, and the day of the newest.
+  const auto count = [](const auto& entries) {
+    std::pair<int, std::string> found{0, {}};
+    for (const auto& entry : entries) {
+      if (!entry.method.empty() && entry.method != "nominal") {
+        ++found.first;
+        found.second = std::max(found.second, entry.date);
+      }
+    }
+    return found;
+  };
+  const auto [ranges, range_date] = count(calibration.sensors);
+  const auto [mounts, mount_date] = count(calibration.mounts);
+  const int all = static_cast<int>(calibration.sensors.size());
+  const auto day = [](const std::string& date) {
+    return QLocale().toString(QDateTime::fromString(QString::fromStdString(date), Qt::ISODate).toLocalTime().date(),
+                              QLocale::ShortFormat);
+  };
+  CalibrationLine line;
+  line.whole = all > 0 && ranges == all && mounts == all;
+  const QString who = (wearer.isEmpty() ? Words::tr("no named person") : wearer).toHtmlEscaped();
+  const QString range = ranges == 0 ? Words::tr("Range never calibrated.")
+                        : ranges == all
+                            ? Words::tr("Range of all sensors, %1.").arg(day(range_date))
+                            : Words::tr("Range of %1 of %2 sensors, %3.").arg(ranges).arg(all).arg(day(range_date));
+  const QString mount =
+      mounts == 0 ? Words::tr("Mounting on %1 not calibrated.").arg(who)
+      : mounts == all
+          ? Words::tr("Mounting on %1, %2.").arg(who, day(mount_date))
+          : Words::tr("Mounting on %1: %2 of %3 sensors, %4.").arg(who).arg(mounts).arg(all).arg(day(mount_date));
+  line.text = range + QLatin1Char(' ') + mount;
+  return line;
+}
+
 QString format_mg(double g) {
   const double mg = 1e3 * g;
   if (!std::isfinite(mg)) {

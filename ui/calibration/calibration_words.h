@@ -28,6 +28,13 @@ calibrate::Verdict mount_verdict(const calibrate::MountCalibration& mount);
 CalibrationState range_state(const calibrate::SensorCalibration& calibration);
 CalibrationState mount_state(const calibrate::MountCalibration& mount);
 
+/// What a take will carry, in one line: "Range of all sensors, 3 Mar 2026. Mounting of Anna, 4 Mar 2026."
+struct CalibrationLine {
+  QString text;  ///< Escaped for rich text.
+  bool whole = false;
+};
+CalibrationLine calibration_line(const calibrate::RigCalibration& calibration, const QString& wearer);
+
 /// "3.2 mg": thousandths of standard gravity, two digits that are true.
 QString format_mg(double g);
 /// "88.6°", "+1.4°"

@@ -196,12 +196,13 @@ StudioServices core_services() {
   services.load_rig = load_rig_for;
   services.open_take = [](const std::filesystem::path& folder) { return take::open_take(folder); };
   services.import_recording = [](const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,
-                                 const std::string& rig, const Progress& progress) -> Status {
+                                 const std::string& rig, const std::string& subject,
+                                 const Progress& progress) -> Status {
     auto loaded = body::load_rig(rig);
     if (!loaded) {
       return loaded.error();
     }
-    auto take = take::import_recordings(folder, files, loaded.value(), progress);
+    auto take = take::import_recordings(folder, files, loaded.value(), progress, subject);
     return take ? Status() : Status(take.error());
   };
   services.simulate_take = [](const std::filesystem::path& folder, const std::string& motion,

@@ -26,7 +26,11 @@ void Notifications::post_error(const QString& what, const Error& error) {
   if (is_cancelled(error)) {
     return;
   }
-  QString text = what.isEmpty() ? QString() : what + QStringLiteral(": ");
+  QString text = what;
+  while (text.endsWith(QLatin1Char('.'))) {
+    text.chop(1);
+  }
+  text += text.isEmpty() ? QString() : QStringLiteral(": ");
   text += core_text(error.place.empty() ? error.message : error.place + ": " + error.message);
   post(Severity::kError, as_sentence(text), as_sentence(core_text(error.remedy)));
 }

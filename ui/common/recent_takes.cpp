@@ -20,16 +20,17 @@ QStringList RecentTakes::folders() const {
 }
 
 void RecentTakes::add(const QString& folder) {
-  QStringList list = folders();
+  // Those on a disk that is not there at the moment stay.
+  QStringList list = settings_.value(QLatin1String(kKey)).toStringList();
   const QString path = QDir::cleanPath(QFileInfo(folder).absoluteFilePath());
   list.removeAll(path);
   list.prepend(path);
-  settings_.setValue(QLatin1String(kKey), list.mid(0, kKept));
+  settings_.setValue(QLatin1String(kKey), list.mid(0, 2 * kKept));
   Q_EMIT changed();
 }
 
 void RecentTakes::remove(const QString& folder) {
-  QStringList list = folders();
+  QStringList list = settings_.value(QLatin1String(kKey)).toStringList();
   list.removeAll(folder);
   settings_.setValue(QLatin1String(kKey), list);
   Q_EMIT changed();

@@ -70,7 +70,7 @@ struct StudioServices {
       load_rig;
   std::function<Result<take::Take>(const std::filesystem::path& folder)> open_take;
   std::function<Status(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files,
-                       const std::string& rig, const Progress&)>
+                       const std::string& rig, const std::string& subject, const Progress&)>
       import_recording;
   std::function<Status(const std::filesystem::path& folder, const std::string& motion, const Progress&)> simulate_take;
 };

@@ -21,10 +21,14 @@ void TakeDocument::open(const QString& folder) {
     return;
   }
   const std::filesystem::path path(QFileInfo(folder).absoluteFilePath().toStdString());
+  const int attempt = ++attempt_;
   jobs_.compute<take::Take>(
       tr("Opening %1").arg(QFileInfo(folder).fileName()), this,
       [open_take = services_.open_take, path](const Progress&) { return open_take(path); },
-      [this, folder](Result<take::Take> result) {
+      [this, folder, attempt](Result<take::Take> result) {
+        if (attempt != attempt_) {
+          return;  // Another one was asked for meanwhile.
+        }
         if (!result) {
           Q_EMIT open_failed(folder, result.error());
           return;
@@ -34,6 +38,7 @@ void TakeDocument::open(const QString& folder) {
 }
 
 void TakeDocument::set(take::Take take) {
+  ++attempt_;
   const bool other = !take_ || take_->folder != take.folder;
   take_ = std::make_shared<const take::Take>(std::move(take));
   Q_EMIT changed(other);
@@ -49,6 +54,7 @@ void TakeDocument::set_events(std::vector<take::TakeEvent> events) {
 }
 
 void TakeDocument::close() {
+  ++attempt_;
   if (take_) {
     take_.reset();
     Q_EMIT changed(true);

@@ -41,6 +41,7 @@ class TakeDocument : public QObject {
  private:
   const StudioServices& services_;
   JobRunner& jobs_;
+  int attempt_ = 0;  ///< Counts what was asked for, so that the last one wins.
   std::shared_ptr<const take::Take> take_;
 };
 

@@ -136,8 +136,11 @@ void TimelineWidget::show_state() {
   }
   loop_->setChecked(time_.looping());
   const bool any = time_.duration_s() > 0.0;
-  for (QToolButton* each : findChildren<QToolButton*>()) {
-    each->setEnabled(any);
+  if (any != had_any_) {
+    had_any_ = any;
+    for (QToolButton* each : findChildren<QToolButton*>()) {
+      each->setEnabled(any);
+    }
   }
   add_->setEnabled(any && canvas_->current_lane() >= 0);
   remove_->setEnabled(!keys_.selected().empty());

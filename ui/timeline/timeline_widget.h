@@ -41,6 +41,7 @@ class TimelineWidget : public QWidget {
   TimeModel& time_;
   KeyEditor& keys_;
   TimelineCanvas* canvas_;
+  bool had_any_ = true;  ///< Something to play when it was last looked at.
   QToolButton *play_ = nullptr, *loop_ = nullptr, *add_ = nullptr, *remove_ = nullptr;
   QComboBox* speed_ = nullptr;
   QLabel *now_ = nullptr, *length_ = nullptr;

@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <QMainWindow>
 #include <QScreen>
+#include <QSplitter>
 
 namespace limbwave::ui {
 namespace {
@@ -40,6 +41,25 @@ std::optional<QByteArray> unseal_layout(const QByteArray& sealed) {
 void save_layout(const QMainWindow& window, QSettings& settings) {
   settings.setValue(QStringLiteral("window/geometry"), seal_layout(window.saveGeometry()));
   settings.setValue(QStringLiteral("window/docks"), seal_layout(window.saveState(kLayoutVersion)));
+}
+
+void save_splitters(const QWidget& root, QSettings& settings) {
+  for (const QSplitter* splitter : root.findChildren<QSplitter*>()) {
+    if (!splitter->objectName().isEmpty()) {
+      settings.setValue(QStringLiteral("splitter/") + splitter->objectName(), seal_layout(splitter->saveState()));
+    }
+  }
+}
+
+void restore_splitters(QWidget& root, QSettings& settings) {
+  for (QSplitter* splitter : root.findChildren<QSplitter*>()) {
+    const QString name = splitter->objectName();
+    const auto state =
+        name.isEmpty() ? std::nullopt : unseal_layout(settings.value(QStringLiteral("splitter/") + name).toByteArray());
+    if (state) {
+      splitter->restoreState(*state);
+    }
+  }
 }
 
 bool restore_layout(QMainWindow& window, QSettings& settings) {

@@ -9,6 +9,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -67,6 +68,7 @@ MainWindow::MainWindow(StudioContext& context, StudioParts parts, QWidget* paren
   restore_layout(*this, context_.settings());
   update_title();
   show_index(-1);
+  show_docks();  // What was stored may be of another page.
 }
 
 MainWindow::~MainWindow() = default;
@@ -79,13 +81,14 @@ void MainWindow::make_docks() {
   inspector_dock_->setWidget(inspector_pages_);
   addDockWidget(Qt::RightDockWidgetArea, inspector_dock_);
   inspector_dock_->hide();
+  inspector_dock_->installEventFilter(this);
   if (parts_.timeline) {
     timeline_dock_ = new QDockWidget(tr("Timeline"), this);
     timeline_dock_->setObjectName(QStringLiteral("timeline"));
     timeline_dock_->setWidget(parts_.timeline(context_, timeline_dock_));
-    timeline_dock_->setTitleBarWidget(new QWidget(timeline_dock_));  // The timeline speaks for itself.
     addDockWidget(Qt::BottomDockWidgetArea, timeline_dock_);
     timeline_dock_->hide();
+    timeline_dock_->installEventFilter(this);
   }
 }
 
@@ -135,6 +138,19 @@ void MainWindow::make_actions() {
     setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
   });
   full->setCheckable(true);
+  QMenu* view = main_menu_->addMenu(tr("Panels"));
+  const auto panel = [&](const QString& text, const QKeySequence& keys, const QString& setting) {
+    QAction* action = add(view, {}, text, keys, [] {});
+    action->setCheckable(true);
+    action->setChecked(context_.settings().value(setting, true).toBool());
+    connect(action, &QAction::toggled, this, [this, setting](bool on) {
+      context_.settings().setValue(setting, on);
+      show_docks();
+    });
+    return action;
+  };
+  show_inspector_ = panel(tr("Inspector"), QKeySequence(Qt::Key_F3), QStringLiteral("window/inspector"));
+  show_timeline_ = panel(tr("Timeline"), QKeySequence(Qt::Key_F4), QStringLiteral("window/timeline"));
   main_menu_->addSeparator();
   QAction* help =
       add(main_menu_, QStringLiteral("help"), tr("Keyboard shortcuts"), QKeySequence(), [this] { show_shortcuts(); });
@@ -168,6 +184,26 @@ void MainWindow::follow_context() {
     }
   });
   connect(&context_.live(), &LiveModel::recording_changed, this, &MainWindow::update_title);
+}
+
+void MainWindow::show_docks() {
+  const auto at = static_cast<std::size_t>(std::max(0, current_));
+  const bool page = current_ >= 0;
+  inspector_dock_->setVisible(page && inspectors_[at] != nullptr && show_inspector_->isChecked());
+  show_inspector_->setEnabled(page && inspectors_[at] != nullptr);
+  if (timeline_dock_ != nullptr) {
+    const bool timeline = page && parts_.workspaces[at].timeline;
+    timeline_dock_->setVisible(timeline && show_timeline_->isChecked());
+    show_timeline_->setEnabled(timeline);
+  }
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  // The cross of a dock is a wish that outlives the workspace.
+  if (event->type() == QEvent::Close && (watched == inspector_dock_ || watched == timeline_dock_)) {
+    (watched == inspector_dock_ ? show_inspector_ : show_timeline_)->setChecked(false);
+  }
+  return QMainWindow::eventFilter(watched, event);
 }
 
 int MainWindow::index_of(const QString& id) const {
@@ -209,10 +245,7 @@ void MainWindow::show_index(int index) {
   if (index < 0) {
     pages_->setCurrentWidget(welcome_);
     welcome_->setFocus();
-    inspector_dock_->hide();
-    if (timeline_dock_ != nullptr) {
-      timeline_dock_->hide();
-    }
+    show_docks();
     return;
   }
   const auto at = static_cast<std::size_t>(index);
@@ -220,6 +253,7 @@ void MainWindow::show_index(int index) {
   if (workspaces_[at] == nullptr) {
     workspaces_[at] = entry.create(context_, pages_);
     pages_->addWidget(workspaces_[at]);
+    restore_splitters(*workspaces_[at], context_.settings());
     inspectors_[at] = workspaces_[at]->create_inspector();
     if (inspectors_[at] != nullptr) {
       inspector_pages_->addWidget(inspectors_[at]);
@@ -229,10 +263,7 @@ void MainWindow::show_index(int index) {
   if (inspectors_[at] != nullptr) {
     inspector_pages_->setCurrentWidget(inspectors_[at]);
   }
-  inspector_dock_->setVisible(inspectors_[at] != nullptr);
-  if (timeline_dock_ != nullptr) {
-    timeline_dock_->setVisible(entry.timeline);
-  }
+  show_docks();
   workspaces_[at]->activate();
 }
 
@@ -265,24 +296,55 @@ void MainWindow::show_shortcuts() {
   sheet->open();
 }
 
+bool MainWindow::may_quit() {
+  QString what, stop;
+  if (context_.live().recording() || context_.live().starting()) {
+    what = tr("A take is being recorded. What is recorded until now is kept.");
+    stop = tr("Stop recording and quit");
+  } else {
+    for (const Job* job : context_.jobs().jobs()) {
+      if (job->elapsed_s() > 1.0) {
+        what = tr("“%1” is still going on and would be cancelled.").arg(job->title());
+        stop = tr("Cancel it and quit");
+      }
+    }
+  }
+  if (what.isEmpty()) {
+    return true;
+  }
+  QMessageBox box(QMessageBox::Question, QStringLiteral("Limbwave"), what, QMessageBox::NoButton, this);
+  box.setObjectName(QStringLiteral("quit_question"));
+  QAbstractButton* quit = box.addButton(stop, QMessageBox::DestructiveRole);
+  box.setDefaultButton(box.addButton(tr("Go on"), QMessageBox::RejectRole));
+  box.exec();
+  return box.clickedButton() == quit;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  // A recording is closed properly by the session's destructor; nothing is lost, so nothing is asked.
+  if (!may_quit()) {
+    event->ignore();
+    return;
+  }
+  // A recording is closed properly by the session's destructor.
   if (context_.live().recording() && context_.live().snapshot()) {
     context_.recent_takes().add(QString::fromStdString(context_.live().snapshot()->take_folder.string()));
   }
   save_layout(*this, context_.settings());
-  context_.settings().setValue(QStringLiteral("window/workspace"), current_workspace());
+  save_splitters(*this, context_.settings());
   QMainWindow::closeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls() && TakeActions::acceptable(event->mimeData()->urls())) {
-    event->acceptProposedAction();
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
   }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  event->acceptProposedAction();
+  // Never a move: the file manager would delete what was dropped.
+  event->setDropAction(Qt::CopyAction);
+  event->accept();
   take_actions_->handle_drop(event->mimeData()->urls());
 }
 

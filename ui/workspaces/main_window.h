@@ -7,6 +7,7 @@
 
 #include "workspaces/workspace.h"
 
+class QAction;
 class QActionGroup;
 class QDockWidget;
 class QMenu;
@@ -38,8 +39,12 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// Asks when quitting would end something that cannot be done again.
+  bool may_quit();
+  void show_docks();
   void make_actions();
   void make_docks();
   void follow_context();
@@ -54,6 +59,7 @@ class MainWindow : public QMainWindow {
   QMenu* take_menu_;
   QMenu* recent_menu_;
   QMenu* main_menu_;
+  QAction *show_inspector_ = nullptr, *show_timeline_ = nullptr;  ///< What the user wants to see where it exists.
   StatusStrip* strip_ = nullptr;
   ModeBar* modes_ = nullptr;
   QStackedWidget* pages_ = nullptr;

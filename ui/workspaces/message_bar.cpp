@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
+#include <vector>
 
 #include "common/icons.h"
 #include "common/theme.h"
@@ -17,7 +19,7 @@ MessageBar::MessageBar(Notifications& notifications, QWidget* parent)
       notifications_(notifications),
       icon_(new QLabel(this)),
       text_(new QLabel(this)),
-      more_(dim_label({}, this)),
+      more_(new QPushButton(this)),
       action_(new QPushButton(this)),
       close_(icon_button(QStringLiteral("close"), tr("Dismiss"), this)) {
   setProperty("strip", true);
@@ -28,23 +30,31 @@ MessageBar::MessageBar(Notifications& notifications, QWidget* parent)
   layout->setSpacing(kGrid);
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  more_->setProperty("flat", true);
+  more_->setObjectName(QStringLiteral("more_messages"));
+  more_->setToolTip(tr("Show the next message"));
   layout->addWidget(icon_);
   layout->addWidget(text_, 1);
   layout->addWidget(more_);
   layout->addWidget(action_);
   layout->addWidget(close_);
-  connect(&notifications_, &Notifications::changed, this, &MessageBar::refresh);
-  connect(close_, &QToolButton::clicked, this, [this] {
-    if (!notifications_.all().empty()) {
-      notifications_.dismiss(notifications_.all().front().id);
-    }
+  connect(&notifications_, &Notifications::changed, this, [this] {
+    turn_ = 0;
+    refresh();
   });
+  connect(more_, &QPushButton::clicked, this, [this] {
+    ++turn_;
+    refresh();
+  });
+  connect(close_, &QToolButton::clicked, this, [this] { notifications_.dismiss(shown_); });
   connect(action_, &QPushButton::clicked, this, [this] {
-    if (!notifications_.all().empty()) {
-      const Notification first = notifications_.all().front();
-      notifications_.dismiss(first.id);
-      if (first.act) {
-        first.act();
+    const auto& all = notifications_.all();
+    const auto found = std::find_if(all.begin(), all.end(), [this](const Notification& n) { return n.id == shown_; });
+    if (found != all.end()) {
+      const Notification notification = *found;
+      notifications_.dismiss(notification.id);
+      if (notification.act) {
+        notification.act();
       }
     }
   });
@@ -68,7 +78,16 @@ void MessageBar::refresh() {
   if (all.empty()) {
     return;
   }
-  const Notification& first = all.front();
+  // A later piece of news does not hide an error that nobody has dismissed.
+  std::vector<const Notification*> order;
+  for (const Notification& notification : all) {
+    order.push_back(&notification);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const Notification* a, const Notification* b) {
+    return (a->severity == Severity::kError) > (b->severity == Severity::kError);
+  });
+  const Notification& first = *order[turn_ % order.size()];
+  shown_ = first.id;
   const bool error = first.severity == Severity::kError;
   const bool warning = first.severity == Severity::kWarning;
   const ThemeColors& theme = theme_colors(palette());

@@ -1,4 +1,5 @@
-/// The place of notifications: a line above the workspace, the newest first, each with its remedy and a way to act.
+/// The place of notifications: a line above the workspace, errors first, then the newest, each with its remedy and a
+/// way to act.
 #pragma once
 
 #include <QWidget>
@@ -25,9 +26,11 @@ class MessageBar : public QWidget {
   Notifications& notifications_;
   QLabel* icon_;
   QLabel* text_;
-  QLabel* more_;
+  QPushButton* more_;
   QPushButton* action_;
   QToolButton* close_;
+  std::size_t turn_ = 0;  ///< How many messages the user went on from the most important one.
+  int shown_ = 0;         ///< Id of the message in view.
 };
 
 }  // namespace limbwave::ui

@@ -1,9 +1,13 @@
 #include "workspaces/shortcut_sheet.h"
 
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScreen>
 #include <QScrollArea>
+#include <algorithm>
+#include <array>
 
 #include "common/theme.h"
 #include "common/widgets.h"
@@ -17,10 +21,13 @@ std::vector<ShortcutGroup> shortcut_groups(const StudioParts& parts) {
        {QStringLiteral("Ctrl+N"), ShortcutSheet::tr("New take")},
        {QStringLiteral("Ctrl+O"), ShortcutSheet::tr("Open a take")},
        {QStringLiteral("Ctrl+I"), ShortcutSheet::tr("Import recordings")},
+       {QStringLiteral("Ctrl+W"), ShortcutSheet::tr("Close the take")},
        {QStringLiteral("Ctrl+Z"), ShortcutSheet::tr("Undo")},
-       {QStringLiteral("Ctrl+Shift+Z"), ShortcutSheet::tr("Redo")},
+       {QStringLiteral("Ctrl+Shift+Z / Ctrl+Y"), ShortcutSheet::tr("Redo")},
+       {QStringLiteral("F3 / F4"), ShortcutSheet::tr("Show or hide the inspector, the timeline")},
        {QStringLiteral("F11"), ShortcutSheet::tr("Full screen")},
-       {QStringLiteral("?"), ShortcutSheet::tr("This sheet")}}};
+       {QStringLiteral("? / Shift+? / F1"), ShortcutSheet::tr("This sheet")},
+       {QStringLiteral("Ctrl+Q"), ShortcutSheet::tr("Quit")}}};
   std::vector<ShortcutGroup> groups{std::move(everywhere)};
   for (const WorkspaceEntry& entry : parts.workspaces) {
     if (!entry.shortcuts.empty()) {
@@ -77,7 +84,10 @@ ShortcutSheet::ShortcutSheet(const std::vector<ShortcutGroup>& groups, QWidget* 
   for (QVBoxLayout* one : column) {
     one->addStretch();
   }
-  resize(720, 480);
+  // As large as its content, where the screen has the room.
+  const QSize wanted = page->sizeHint() + QSize(2, 2);
+  const QSize room = QGuiApplication::primaryScreen()->availableSize() * 0.95;
+  resize(std::min(wanted.width(), room.width()), std::min(wanted.height(), room.height()));
 }
 
 }  // namespace limbwave::ui

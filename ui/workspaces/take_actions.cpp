@@ -6,6 +6,7 @@
 
 #include "common/format.h"
 #include "common/motion_names.h"
+#include "workspaces/import_sheet.h"
 
 namespace limbwave::ui {
 namespace {
@@ -51,7 +52,7 @@ void TakeActions::choose_and_import() {
 }
 
 void TakeActions::open(const QString& folder) {
-  if (context_.live().recording() || context_.live().finishing()) {
+  if (context_.live().recording() || context_.live().starting() || context_.live().finishing()) {
     context_.notifications().post(Severity::kWarning, tr("A take is being recorded."),
                                   tr("Stop the recording before another take is opened."));
     return;
@@ -63,25 +64,24 @@ void TakeActions::import_files(const QStringList& files) {
   if (files.isEmpty() || !context_.services().import_recording) {
     return;
   }
-  const QString takes = context_.takes_folder();
-  const QString stem = file_name_part(QFileInfo(files.first()).completeBaseName());
-  const QString wanted = stem.isEmpty() ? QStringLiteral("import") : stem;
-  QString name = wanted;
-  for (int n = 2; QFileInfo::exists(QDir(takes).filePath(name + QStringLiteral(".take"))); ++n) {
-    name = QStringLiteral("%1-%2").arg(wanted).arg(n);
-  }
-  const QString folder = QDir(takes).filePath(name + QStringLiteral(".take"));
+  auto* sheet = new ImportSheet(context_, files, window_);
+  sheet->setAttribute(Qt::WA_DeleteOnClose);
+  connect(sheet, &QDialog::accepted, this,
+          [this, sheet, files] { import_as(files, sheet->take_name(), sheet->rig(), sheet->subject()); });
+  sheet->open();
+}
+
+void TakeActions::import_as(const QStringList& files, const QString& name, const QString& rig, const QString& subject) {
+  const QString folder = QDir(context_.takes_folder()).filePath(name + QStringLiteral(".take"));
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files) {
     paths.emplace_back(file.toStdString());
   }
-  const QString rig =
-      context_.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
   const QString title = tr("Importing %1").arg(QFileInfo(files.first()).fileName());
   context_.jobs().start(
       title, this,
-      [import_recording = context_.services().import_recording, folder, paths, rig](const Progress& progress) {
-        return import_recording(folder.toStdString(), paths, rig.toStdString(), progress);
+      [import_recording = context_.services().import_recording, folder, paths, rig, subject](const Progress& progress) {
+        return import_recording(folder.toStdString(), paths, rig.toStdString(), subject.toStdString(), progress);
       },
       [this, title, folder](const Status& status) {
         if (!status) {

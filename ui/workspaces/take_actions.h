@@ -22,6 +22,8 @@ class TakeActions : public QObject {
   void open(const QString& folder);
   /// Imports recordings into a new take named after the first, and opens it.
   void import_files(const QStringList& files);
+  /// Makes the take in a job and opens it.
+  void import_as(const QStringList& files, const QString& name, const QString& rig, const QString& subject);
   /// Opens the demo take of this motion, simulating it first when it is not on disk yet.
   void open_demo(const QString& motion);
 

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <filesystem>
 
 #include "common/studio_context.h"
@@ -182,10 +183,15 @@ class MarkerModelTest : public QObject {
     QTRY_VERIFY(studio.context->document().is_open());
     QCOMPARE(studio.shown(), before_stop);
     QCOMPARE(undo.count(), 4);  // set, set, rename, move; the deletion was undone before.
+    // Both were set within milliseconds: which is shown first depends on the samples' digits.
+    const auto shows = [&studio](const QString& words) {
+      const QStringList all = studio.shown();
+      return std::any_of(all.begin(), all.end(), [&](const QString& one) { return one.endsWith(words); });
+    };
     undo.undo();
-    QVERIFY(studio.shown().last().endsWith(QStringLiteral("she turns")));
+    QVERIFY(shows(QStringLiteral("she turns")) && !studio.shown().contains(QStringLiteral("480 she turns")));
     undo.undo();
-    QVERIFY(studio.shown().first().endsWith(QStringLiteral("Marker 1")));
+    QVERIFY(shows(QStringLiteral("Marker 1")) && !shows(QStringLiteral("clap")));
     undo.undo();
     undo.undo();
     QVERIFY(studio.shown().isEmpty());

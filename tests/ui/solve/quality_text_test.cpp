@@ -58,6 +58,16 @@ TEST(Quality, ErrorsAmongTheFindingsComeFirst) {
   EXPECT_EQ(verdict.remedy, QStringLiteral("Start again"));
 }
 
+TEST(Quality, GoodSignalsWithoutCalibrationAreNotGood) {
+  solve::QualityReport report = good();
+  report.diagnostics.push_back({Severity::kWarning, "calibration.partial", "never calibrated: the range of hand",
+                                "calibrate these sensors", "", -1.0});
+  const Verdict verdict = overall_verdict(report);
+  EXPECT_EQ(verdict.tone, Tone::kWarning);
+  EXPECT_TRUE(verdict.text.contains(QStringLiteral("ever calibrated: the range of hand")));
+  EXPECT_FALSE(verdict.remedy.isEmpty());
+}
+
 TEST(Quality, PercentNeverPromisesAFalseHundred) {
   EXPECT_EQ(percent(1.0), QStringLiteral("100 %"));
   EXPECT_EQ(percent(0.99999), QStringLiteral("99.9 %"));

@@ -207,6 +207,20 @@ class SolveWorkspaceTest : public QObject {
     QCOMPARE(solving_->solved.load(), 1);
   }
 
+  void the_first_demo_plays_by_itself_later_ones_do_not() {
+    start();
+    TimeModel& time = studio_->context->time();
+    open(QStringLiteral("demo-reach.take"));
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QVERIFY(time.playing());
+    QVERIFY(studio_->context->notifications().all().front().remedy.contains(QStringLiteral("Space")));
+    time.set_playing(false);
+    open(QStringLiteral("demo-walk.take"));
+    QTRY_COMPARE(solving_->loaded.load(), 1);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QVERIFY(!time.playing());
+  }
+
   void the_viewer_follows_the_playhead() {
     open_solved();
     const auto before = workspace().viewer().pose();

@@ -14,6 +14,7 @@
 #include "plots/sensor_strips.h"
 #include "ui/support/fake_services.h"
 #include "ui/support/studio_fixture.h"
+#include "workspaces/capture/board_dialog.h"
 #include "workspaces/capture/capture_workspace.h"
 #include "workspaces/status_strip.h"
 
@@ -366,6 +367,51 @@ class CaptureTest : public QObject {
     capture.studio.context->set_wearer(QStringLiteral("Anna"));
     QCOMPARE(capture.find<QLineEdit>("subject_edit")->text(), QStringLiteral("Anna"));
     QTRY_COMPARE(capture.live().settings().calibration.mounts[0].date, std::string("2026-03-01T10:00:00Z"));
+  }
+
+  void the_calibration_of_the_next_take_is_told_before_it_is_recorded() {
+    auto line = std::make_shared<FakeLine>();
+    line->mounted = {{"Anna", "2026-03-01T10:00:00Z"}};
+    Capture capture(line);
+    capture.studio.context->set_wearer(QStringLiteral("Anna"));
+    QVERIFY(choose(capture, "portaudio:ALSA:card"));
+    auto* told = capture.find<QLabel>("calibration_in_use");
+    QTRY_VERIFY(told->isVisible());
+    QVERIFY2(told->text().startsWith(QStringLiteral("Range never calibrated. Mounting on Anna, ")),
+             qPrintable(told->text()));
+    QVERIFY(told->text().contains(QStringLiteral("href")));
+    capture.studio.context->set_wearer(QStringLiteral("Zoe"));
+    QTRY_VERIFY(told->text().contains(QStringLiteral("Mounting on Zoe not calibrated.")));
+    QVERIFY(capture.studio.window->grab().save(screenshot_path(QStringLiteral("capture-calibration"))));
+  }
+
+  void a_board_is_named_per_device() {
+    QTemporaryDir home;
+    const QByteArray before = qgetenv("LIMBWAVE_HOME");
+    qputenv("LIMBWAVE_HOME", home.path().toLocal8Bit());
+    auto line = std::make_shared<FakeLine>();
+    Capture capture(line);
+    QVERIFY(choose(capture, "simulator:wave"));
+    auto* edit = capture.find<QToolButton>("edit_board");
+    QVERIFY2(!edit->isEnabled(), "the simulator's sensors have serials of their own");
+    QVERIFY(choose(capture, "portaudio:ALSA:card"));
+    QTRY_VERIFY(edit->isEnabled());
+    const int opened = line->opened;
+    QTest::mouseClick(edit, Qt::LeftButton);
+    auto* dialog = capture.studio.window->findChild<BoardDialog*>();
+    QVERIFY(dialog != nullptr);
+    QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("board_name")), QStringLiteral("Lab 2"));
+    QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("serial_1")), QStringLiteral("K7"));
+    QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("serial_2")), QStringLiteral("K7"));
+    auto* keep = dialog->findChild<QPushButton*>(QStringLiteral("keep_board"));
+    QVERIFY2(!keep->isEnabled(), "one serial, two sensors");
+    QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("serial_2")), QStringLiteral("b"));
+    QTest::mouseClick(keep, Qt::LeftButton);
+    QTRY_COMPARE(line->opened, opened + 1);
+    const body::Rig rig = take::rig_on_device(body::load_rig("line-in-arm").value(), "portaudio:ALSA:card");
+    QCOMPARE(rig.accelerometers[0].serial, std::string("Lab 2: torso"));
+    QCOMPARE(rig.accelerometers[2].serial, std::string("K7b"));
+    qputenv("LIMBWAVE_HOME", before);
   }
 
   void another_folder_suggests_another_name() {

@@ -1,17 +1,25 @@
 /// The window around the workspaces: layout, jobs, shortcuts, drops, takes.
+#include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
 #include <QFile>
+#include <QLineEdit>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTest>
+#include <QThread>
+#include <QTimer>
+#include <QToolButton>
 #include <cmath>
 #include <set>
 
 #include "common/theme.h"
 #include "ui/support/fake_services.h"
 #include "ui/support/studio_fixture.h"
+#include "workspaces/import_sheet.h"
 #include "workspaces/job_bar.h"
 #include "workspaces/layout_store.h"
 #include "workspaces/message_bar.h"
@@ -75,6 +83,127 @@ class ShellTest : public QObject {
     MainWindow window(context, studio_parts());
     window.show();
     QTRY_COMPARE(window.size(), QSize(1111, 777));
+  }
+
+  void a_closed_panel_stays_closed() {
+    QTemporaryDir folder;
+    {
+      StudioContext context(services(), folder.path());
+      context.set_takes_folder(folder.path());
+      MainWindow window(context, studio_parts());
+      window.show();
+      QVERIFY(QTest::qWaitForWindowExposed(&window));
+      auto* inspector = window.findChild<QDockWidget*>(QStringLiteral("inspector"));
+      auto* timeline = window.findChild<QDockWidget*>(QStringLiteral("timeline"));
+      window.show_workspace(QStringLiteral("solve"));
+      QVERIFY(inspector->isVisible() && timeline->isVisible());
+      inspector->close();
+      window.show_workspace(QStringLiteral("capture"));
+      QVERIFY(!timeline->isVisible());
+      window.show_workspace(QStringLiteral("solve"));
+      QVERIFY(!inspector->isVisible());
+      QVERIFY(timeline->isVisible());
+      window.close();
+    }
+    StudioContext context(services(), folder.path());
+    MainWindow window(context, studio_parts());
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.show_workspace(QStringLiteral("solve"));
+    auto* inspector = window.findChild<QDockWidget*>(QStringLiteral("inspector"));
+    QVERIFY(!inspector->isVisible());
+    QVERIFY(QTest::qWaitForWindowActive(&window));  // shortcuts are the active window's
+    QTest::keyClick(&window, Qt::Key_F3);
+    QVERIFY(inspector->isVisible());
+  }
+
+  void quitting_while_recording_is_asked() {
+    StudioFixture studio(services());
+    QVERIFY(QTest::qWaitForWindowExposed(studio.window.get()));
+    LiveModel& live = studio.context->live();
+    QVERIFY(live.open(QStringLiteral("simulator:wave"), QStringLiteral("Simulator"), "line-in-arm", {}));
+    QTRY_VERIFY(live.running());
+    QVERIFY(live.start_recording(studio.folder.filePath(QStringLiteral("a.take")).toStdString(), {}));
+    QTRY_VERIFY(live.recording());
+    bool asked = false;
+    QTimer::singleShot(200, studio.window.get(), [&asked, window = studio.window.get()] {
+      if (auto* box = window->findChild<QMessageBox*>(QStringLiteral("quit_question"))) {
+        asked = true;
+        box->reject();
+      }
+    });
+    QVERIFY(!studio.window->close());
+    QVERIFY(asked && live.recording() && studio.window->isVisible());
+    asked = false;
+    QTimer::singleShot(200, studio.window.get(), [&asked, window = studio.window.get()] {
+      if (auto* box = window->findChild<QMessageBox*>(QStringLiteral("quit_question"))) {
+        for (QAbstractButton* button : box->buttons()) {
+          if (button->text().contains(QStringLiteral("quit"))) {
+            asked = true;
+            button->click();
+            return;
+          }
+        }
+      }
+    });
+    QVERIFY(studio.window->close());
+    QVERIFY(asked);
+  }
+
+  void an_unread_error_is_not_hidden_by_later_news() {
+    StudioFixture studio(services());
+    Notifications& notifications = studio.context->notifications();
+    auto* bar = studio.window->findChild<MessageBar*>(QStringLiteral("message_bar"));
+    notifications.post_error(QStringLiteral("It went wrong."), Error{"the disk is full", "", "make room"});
+    notifications.post(Severity::kInfo, QStringLiteral("Something was written."));
+    QCOMPARE(bar->text(), QStringLiteral("It went wrong: the disk is full. Make room."));
+    QTest::mouseClick(bar->findChild<QPushButton*>(QStringLiteral("more_messages")), Qt::LeftButton);
+    QCOMPARE(bar->text(), QStringLiteral("Something was written."));
+    QTest::mouseClick(bar->findChild<QToolButton*>(), Qt::LeftButton);
+    QCOMPARE(bar->text(), QStringLiteral("It went wrong: the disk is full. Make room."));
+  }
+
+  void of_two_takes_asked_for_the_last_one_opens() {
+    StudioServices table = services();
+    table.open_take = [](const std::filesystem::path& folder) -> Result<take::Take> {
+      QThread::msleep(folder.filename() == "slow.take" ? 400 : 10);
+      take::Take take;
+      take.folder = folder;
+      return take;
+    };
+    StudioFixture studio(table);
+    studio.context->document().open(QStringLiteral("slow.take"));
+    studio.context->document().open(QStringLiteral("fast.take"));
+    QTRY_VERIFY(studio.context->document().is_open());
+    QTRY_VERIFY(studio.context->jobs().jobs().empty());
+    QCOMPARE(studio.context->document().name(), QStringLiteral("fast"));
+  }
+
+  void importing_asks_for_name_rig_and_wearer() {
+    StudioServices table = services();
+    std::string asked;
+    table.import_recording = [&asked](const std::filesystem::path& folder, const std::vector<std::filesystem::path>&,
+                                      const std::string& rig, const std::string& subject, const Progress&) {
+      asked = folder.filename().string() + "|" + rig + "|" + subject;
+      return Status(Error{"no such file", "", ""});
+    };
+    StudioFixture studio(table);
+    QVERIFY(QTest::qWaitForWindowExposed(studio.window.get()));
+    studio.context->set_wearer(QStringLiteral("Anna"));
+    studio.window->take_actions().import_files({QStringLiteral("/nowhere/Track 01.mp3")});
+    auto* sheet = studio.window->findChild<ImportSheet*>();
+    QVERIFY(sheet != nullptr);
+    QVERIFY(asked.empty());
+    QCOMPARE(sheet->subject(), QStringLiteral("Anna"));
+    auto* name = sheet->findChild<QLineEdit*>(QStringLiteral("import_name"));
+    auto* go = sheet->findChild<QPushButton*>(QStringLiteral("import_button"));
+    QVERIFY(!name->text().isEmpty());
+    name->clear();
+    QVERIFY(!go->isEnabled());
+    QTest::keyClicks(name, QStringLiteral("walk"));
+    sheet->findChild<QLineEdit*>(QStringLiteral("import_subject"))->setText(QStringLiteral("Ben"));
+    QTest::mouseClick(go, Qt::LeftButton);
+    QTRY_COMPARE(asked, std::string("walk.take|line-in-arm|Ben"));
   }
 
   void a_job_shows_time_and_can_be_cancelled() {
@@ -144,6 +273,26 @@ class ShellTest : public QObject {
     QCOMPARE(studio.window->current_workspace(), QStringLiteral("capture"));
     QTest::keyClick(studio.window.get(), Qt::Key_Question, Qt::ShiftModifier);
     QTRY_VERIFY(studio.window->findChild<ShortcutSheet*>() != nullptr);
+    // Every key of the window is on the sheet, and all of it is in view.
+    QStringList listed;
+    for (const ShortcutGroup& group : shortcut_groups(studio_parts())) {
+      for (const ShortcutHelp& help : group.shortcuts) {
+        for (const QString& one : help.keys.split(QStringLiteral(" / "))) {
+          listed << one.trimmed();
+        }
+      }
+    }
+    for (const QAction* action : studio.window->actions()) {
+      for (const QKeySequence& keys : action->shortcuts()) {
+        const QString text = keys.toString();
+        const bool workspace = text.size() == 1 && text[0].isDigit();
+        QVERIFY2(workspace || listed.contains(text), qPrintable(text));
+      }
+    }
+    const auto* sheet = studio.window->findChild<ShortcutSheet*>();
+    const auto* scroll = sheet->findChild<QScrollArea*>();
+    QTRY_VERIFY(scroll->viewport()->width() >= scroll->widget()->minimumSizeHint().width());
+    QVERIFY(scroll->viewport()->width() + 4 >= scroll->widget()->sizeHint().width());
   }
 
   void themes_have_enough_contrast() {

@@ -98,6 +98,7 @@ void CaptureModel::suggest_name() {
   if (!setup_.name_typed) {
     setup_.take_name = suggested_name(setup_.subject);
   }
+  check_name();
   Q_EMIT setup_changed();
 }
 
@@ -105,8 +106,8 @@ QString CaptureModel::take_folder() const {
   return QDir(context_.takes_folder()).filePath(take_name() + QStringLiteral(".take"));
 }
 
-QString CaptureModel::take_name_problem() const {
-  return limbwave::ui::take_name_problem(context_.takes_folder(), take_name());
+void CaptureModel::check_name() {
+  name_problem_ = limbwave::ui::take_name_problem(context_.takes_folder(), take_name());
 }
 
 bool CaptureModel::can_record() const {
@@ -201,6 +202,7 @@ bool CaptureModel::apply(const CaptureSetup& next) {
   }
   const bool other_rig = next.rig != setup_.rig;
   setup_ = next;
+  check_name();
   context_.set_wearer(subject());
   if (other_rig) {
     context_.settings().setValue(QStringLiteral("capture/rig"), rig());

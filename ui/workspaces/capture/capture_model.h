@@ -37,7 +37,7 @@ class CaptureModel : public QObject {
   [[nodiscard]] const QString& take_name() const { return setup_.take_name; }
   [[nodiscard]] QString take_folder() const;
   /// Why the next take cannot be recorded under this name; empty: it can.
-  [[nodiscard]] QString take_name_problem() const;
+  [[nodiscard]] const QString& take_name_problem() const { return name_problem_; }
   [[nodiscard]] bool can_record() const;
   /// Names of the rig's sensors, of the running capture, else of the chosen rig.
   [[nodiscard]] QStringList sensor_names() const;
@@ -75,6 +75,7 @@ class CaptureModel : public QObject {
   bool apply(const CaptureSetup& next);
   [[nodiscard]] QString suggested_name(const QString& subject) const;
   void load_rig_names();
+  void check_name();
 
   StudioContext& context_;
   std::vector<acquire::DeviceInfo> devices_;
@@ -82,6 +83,7 @@ class CaptureModel : public QObject {
   QString search_problem_;
   std::vector<RigChoice> rigs_;
   CaptureSetup setup_;
+  QString name_problem_;  ///< As it was when the name or what is in the folder changed: looking may wait for a network.
   QStringList sensor_names_;
   int slot_count_ = 16;
   QDate today_;

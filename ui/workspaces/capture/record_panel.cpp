@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
+#include "calibration/calibration_words.h"
 #include "common/format.h"
 #include "common/icons.h"
 #include "common/theme.h"
@@ -21,6 +22,7 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
       subject_(new QLineEdit(this)),
       name_(new QLineEdit(this)),
       name_problem_(new QLabel(this)),
+      calibration_(new QLabel(this)),
       folder_(new ElidedLabel({}, this)),
       disk_(dim_label({}, this)) {
   time_->setFont(tabular(time_->font(), 64.0 / 13.0, QFont::Light));
@@ -58,6 +60,13 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
   name_problem_->setProperty("role", "danger");
   name_problem_->setObjectName(QStringLiteral("take_name_problem"));
   body()->addWidget(name_problem_);
+  calibration_->setWordWrap(true);
+  calibration_->setObjectName(QStringLiteral("calibration_in_use"));
+  calibration_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  calibration_->setAccessibleName(tr("Calibration of the next take"));
+  body()->addWidget(calibration_);
+  connect(calibration_, &QLabel::linkActivated, this, [this] { context_.reveal(QStringLiteral("calibrate")); });
+  connect(&context_.live(), &LiveModel::calibration_changed, this, &RecordPanel::refresh);
 
   auto* disk_row = new QHBoxLayout;
   disk_row->setSpacing(kGrid);
@@ -114,6 +123,11 @@ void RecordPanel::refresh() {
   name_problem_->setText(problem);
   name_problem_->setVisible(!problem.isEmpty());
   folder_->set_text(context_.takes_folder());
+  const CalibrationLine calibration = calibration_line(live.settings().calibration, live.wearer());
+  calibration_->setVisible(live.state() == LiveState::kRunning);
+  calibration_->setText(calibration.whole ? calibration.text
+                                          : tr("%1 <a href=\"calibrate\">Calibrate</a>").arg(calibration.text));
+  set_style_property(calibration_, "role", calibration.whole ? QStringLiteral("dim") : QStringLiteral("warning"));
   record_->setToolTip(recording                             ? tr("Stop recording and close the take (R)")
                       : model_.can_record()                 ? tr("Record a new take (R)")
                       : live.state() != LiveState::kRunning ? tr("Choose a device first")

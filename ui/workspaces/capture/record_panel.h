@@ -29,6 +29,7 @@ class RecordPanel : public Card {
   QLineEdit* subject_;
   QLineEdit* name_;
   QLabel* name_problem_;
+  QLabel* calibration_;
   ElidedLabel* folder_;
   QLabel* disk_;
 };

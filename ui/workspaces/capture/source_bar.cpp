@@ -8,10 +8,13 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "body/rig.h"
+#include "common/core_services.h"
 #include "common/format.h"
 #include "common/icons.h"
 #include "common/theme.h"
 #include "common/widgets.h"
+#include "workspaces/capture/board_dialog.h"
 #include "workspaces/capture/device_format.h"
 
 namespace limbwave::ui {
@@ -24,7 +27,8 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
       rigs_(new QComboBox(this)),
       refresh_(icon_button(QStringLiteral("refresh"), tr("Look for devices again"), this)),
       format_(new QToolButton(this)),
-      format_menu_(new QMenu(format_)) {
+      format_menu_(new QMenu(format_)),
+      board_(icon_button(QStringLiteral("sensor"), tr("Name the sensor board on this device"), this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
@@ -57,6 +61,9 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   layout->addSpacing(2 * kGrid);
   layout->addWidget(rig_label);
   layout->addWidget(rigs_, 2);
+  board_->setObjectName(QStringLiteral("edit_board"));
+  layout->addWidget(board_);
+  connect(board_, &QToolButton::clicked, this, &SourceBar::edit_board);
 
   connect(refresh_, &QToolButton::clicked, &model_, &CaptureModel::refresh_devices);
   connect(devices_, &QComboBox::activated, this,
@@ -72,6 +79,34 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
 
 void SourceBar::focus_devices() {
   devices_->setFocus();
+}
+
+void SourceBar::edit_board() {
+  const LiveModel& live = context_.live();
+  const QString device = live.device_id();
+  const Result<body::Rig> rig = body::load_rig(model_.rig().toStdString());
+  if (!rig) {
+    context_.notifications().post_error(tr("Rig %1").arg(model_.rig()), rig.error());
+    return;
+  }
+  const take::BoardBook book;
+  const Result<take::Board> board = book.board(device.toStdString(), rig->name);
+  if (!board) {
+    context_.notifications().post_error(tr("The list of boards cannot be read"), board.error());
+    return;
+  }
+  auto* dialog = new BoardDialog(live.device_title(), *rig, *board, window());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, book, device, name = rig->name] {
+    if (const Status kept = book.set_board(device.toStdString(), name, dialog->board()); !kept) {
+      context_.notifications().post_error(tr("The board cannot be kept"), kept.error());
+      return;
+    }
+    // Opened anew, it goes by its own sensors' calibrations.
+    context_.live().close();
+    model_.open_device(device);
+  });
+  dialog->open();
 }
 
 void SourceBar::refresh() {
@@ -101,6 +136,9 @@ void SourceBar::refresh() {
                          : tr("Stop recording to choose another rig"));
   devices_->setToolTip(free ? tr("Where the signal comes from: a sound card's line input, or the simulator")
                             : tr("Stop recording to choose another device"));
+  // The simulator's sensors have serials of their own.
+  const LiveModel& running = context_.live();
+  board_->setEnabled(free && running.running() && !running.device_id().startsWith(QLatin1String(kSimulatorPrefix)));
   refresh_format();
 }
 

@@ -22,6 +22,7 @@ class SourceBar : public QWidget {
   void refresh();
   void refresh_format();
   void fill_format_menu();
+  void edit_board();
   StudioContext& context_;
   CaptureModel& model_;
   QComboBox* devices_;
@@ -29,6 +30,7 @@ class SourceBar : public QWidget {
   QToolButton* refresh_;
   QToolButton* format_;
   QMenu* format_menu_;
+  QToolButton* board_;
 };
 
 }  // namespace limbwave::ui

@@ -160,6 +160,14 @@ Verdict overall_verdict(const solve::QualityReport& report) {
                                     [](const Diagnostic& d) { return d.severity == Severity::kError; });
     return diagnostic_verdict(*found);
   }
+  // Signals may be heard perfectly and still mean the wrong directions.
+  const auto calibration = std::find_if(report.diagnostics.begin(), report.diagnostics.end(), [](const Diagnostic& d) {
+    return d.severity == Severity::kWarning && d.code.rfind("calibration.", 0) == 0;
+  });
+  if (worst_part.tone == Tone::kGood && calibration != report.diagnostics.end()) {
+    const Verdict verdict = diagnostic_verdict(*calibration);
+    return {Tone::kWarning, Quality::tr("Every sensor was heard, but: %1").arg(verdict.text), verdict.remedy};
+  }
   if (worst_part.tone == Tone::kGood) {
     return {Tone::kGood, Quality::tr("Good: every sensor was heard and trusted."), {}};
   }

@@ -129,6 +129,7 @@ QWidget* SolveWorkspace::make_main_page() {
   layout->addWidget(make_toolbar());
   layout->addWidget(make_failure_bar());
   auto* splitter = new QSplitter(Qt::Vertical, page);
+  splitter->setObjectName(QStringLiteral("solve_splitter"));
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(viewer_);
   splitter->addWidget(curves_);
@@ -144,6 +145,7 @@ void SolveWorkspace::follow_context() {
   connect(&model_, &SolveModel::solve_changed, this, [this] {
     show_figure();
     show_state();
+    play_first_demo();
   });
   connect(&context_.document(), &TakeDocument::changed, this, [this](bool other) {
     if (other) {
@@ -177,6 +179,19 @@ void SolveWorkspace::follow_context() {
       context_.reveal(QStringLiteral("capture"));
     }
   });
+}
+
+void SolveWorkspace::play_first_demo() {
+  const QString setting = QStringLiteral("solve/demo_played");
+  const bool demo = context_.document().name().startsWith(QLatin1String("demo-"));
+  if (demo && model_.solve() && !context_.settings().value(setting).toBool()) {
+    context_.settings().setValue(setting, true);
+    context_.time().set_looping(true);
+    context_.time().set_playing(true);
+    context_.notifications().post(Severity::kInfo, tr("This is the demo, playing."),
+                                  tr("Space stops it. Drag in the timeline to look at a moment, drag in the picture to "
+                                     "look from elsewhere."));
+  }
 }
 
 void SolveWorkspace::activate() {

@@ -42,6 +42,7 @@ class SolveWorkspace : public Workspace {
   QWidget* make_failure_bar();
   void follow_context();
   void follow_live();
+  void play_first_demo();
   void set_live(bool live);
   void show_state();
   void show_figure();
