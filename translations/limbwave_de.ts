@@ -75,6 +75,34 @@
         <source>two poses</source>
         <translation>zwei Posen</translation>
     </message>
+    <message>
+        <source>no named person</source>
+        <translation>einer Person ohne Namen</translation>
+    </message>
+    <message>
+        <source>Range never calibrated.</source>
+        <translation>Bereich nie kalibriert.</translation>
+    </message>
+    <message>
+        <source>Range of all sensors, %1.</source>
+        <translation>Bereich aller Sensoren, %1.</translation>
+    </message>
+    <message>
+        <source>Range of %1 of %2 sensors, %3.</source>
+        <translation>Bereich von %1 von %2 Sensoren, %3.</translation>
+    </message>
+    <message>
+        <source>Mounting on %1 not calibrated.</source>
+        <translation>Befestigung an %1 nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>Mounting on %1, %2.</source>
+        <translation>Befestigung an %1, %2.</translation>
+    </message>
+    <message>
+        <source>Mounting on %1: %2 of %3 sensors, %4.</source>
+        <translation>Befestigung an %1: %2 von %3 Sensoren, %4.</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -1712,7 +1740,7 @@
     </message>
     <message>
         <source>a slot of the board lasts only %1 samples at %2 samples a second</source>
-        <translation>ein Slot der Platine dauert nur %1 Abtastwerte bei %2 Abtastwerten je Sekunde</translation>
+        <translation>ein Fach der Platine dauert nur %1 Abtastwerte bei %2 Abtastwerten je Sekunde</translation>
     </message>
     <message>
         <source>record at %1 at least, or correct the rig&apos;s cycle rate</source>
@@ -2221,6 +2249,10 @@
         <source>All limbs together: what their own swinging makes the sensors feel is taken into account. Check the bone lengths.</source>
         <translation>Alle Gliedmaßen zusammen: was ihr eigenes Schwingen die Sensoren spüren lässt, wird berücksichtigt. Prüfen Sie die Knochenlängen.</translation>
     </message>
+    <message>
+        <source>Every sensor was heard, but: %1</source>
+        <translation>Jeder Sensor war zu hören, aber: %1</translation>
+    </message>
 </context>
 <context>
     <name>SolveEntries</name>
@@ -2523,6 +2555,45 @@
     <message>
         <source>Choose a device, check levels, record</source>
         <translation>Gerät wählen, Pegel prüfen, aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::BoardDialog</name>
+    <message>
+        <source>Sensor board</source>
+        <translation>Sensorplatine</translation>
+    </message>
+    <message>
+        <source>Calibrations are kept per sensor. Name the board on %1, so that another board&apos;s are never taken for its own. Where the sensors carry serials, enter them: they then keep their calibration on any board.</source>
+        <translation>Kalibrierungen werden je Sensor aufbewahrt. Benennen Sie die Platine an %1, damit nie die einer anderen für ihre gehalten werden. Tragen die Sensoren Seriennummern, geben Sie sie ein: Dann behalten sie ihre Kalibrierung an jeder Platine.</translation>
+    </message>
+    <message>
+        <source>Name of the board</source>
+        <translation>Name der Platine</translation>
+    </message>
+    <message>
+        <source>As written on it, such as “Lab 2”</source>
+        <translation>Wie er darauf steht, etwa „Labor 2“</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Platine</translation>
+    </message>
+    <message>
+        <source>Serial of %1</source>
+        <translation>Seriennummer von %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>%1 is entered for two sensors.</source>
+        <translation>%1 ist bei zwei Sensoren eingetragen.</translation>
     </message>
 </context>
 <context>
@@ -2861,11 +2932,11 @@
     </message>
     <message>
         <source>range calibration</source>
-        <translation>Kalibrierung des Messbereichs</translation>
+        <translation>Bereichskalibrierung</translation>
     </message>
     <message>
         <source>mounting calibration</source>
-        <translation>Kalibrierung des Sitzes</translation>
+        <translation>Befestigungskalibrierung</translation>
     </message>
     <message>
         <source>choice of calibration</source>
@@ -3272,6 +3343,57 @@
     <message>
         <source>%1, %2 left</source>
         <translation>%1, noch %2</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ImportSheet</name>
+    <message>
+        <source>Import recordings</source>
+        <translation>Aufnahmen einlesen</translation>
+    </message>
+    <message>
+        <source>%1 becomes a take.</source>
+        <translation>%1 wird ein Take.</translation>
+    </message>
+    <message>
+        <source>These become one take, in this order: %1</source>
+        <translation>Diese werden ein Take, in dieser Reihenfolge: %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Name of the take</source>
+        <translation>Name des Takes</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Rig</translation>
+    </message>
+    <message>
+        <source>What was worn where</source>
+        <translation>Was wo getragen wurde</translation>
+    </message>
+    <message>
+        <source>Subject</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Who wore the sensors</source>
+        <translation>Wer die Sensoren trug</translation>
+    </message>
+    <message>
+        <source>The mounting of this person in the calibration library is used</source>
+        <translation>Die Befestigung dieser Person aus der Kalibrierungsbibliothek wird verwendet</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Take</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
     </message>
 </context>
 <context>
@@ -3741,6 +3863,30 @@
         <source>● Recording – %1</source>
         <translation>● Aufnahme – %1</translation>
     </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>A take is being recorded. What is recorded until now is kept.</source>
+        <translation>Ein Take wird aufgenommen. Was bis jetzt aufgenommen ist, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Stop recording and quit</source>
+        <translation>Aufnahme beenden und schließen</translation>
+    </message>
+    <message>
+        <source>“%1” is still going on and would be cancelled.</source>
+        <translation>„%1“ läuft noch und würde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancel it and quit</source>
+        <translation>Abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weitermachen</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::MarkerModel</name>
@@ -3829,6 +3975,10 @@
     <message>
         <source>%1 more</source>
         <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>Show the next message</source>
+        <translation>Die nächste Meldung zeigen</translation>
     </message>
 </context>
 <context>
@@ -4331,6 +4481,14 @@
         <source>How long recording lasts until the disk is full</source>
         <translation>Wie lange aufgenommen werden kann, bis die Platte voll ist</translation>
     </message>
+    <message>
+        <source>Calibration of the next take</source>
+        <translation>Kalibrierung des nächsten Takes</translation>
+    </message>
+    <message>
+        <source>%1 &lt;a href=&quot;calibrate&quot;&gt;Calibrate&lt;/a&gt;</source>
+        <translation>%1 &lt;a href=&quot;calibrate&quot;&gt;Kalibrieren&lt;/a&gt;</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SaveQueue</name>
@@ -4560,6 +4718,18 @@
         <source>Keyboard shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
+    <message>
+        <source>Close the take</source>
+        <translation>Den Take schließen</translation>
+    </message>
+    <message>
+        <source>Show or hide the inspector, the timeline</source>
+        <translation>Inspektor, Zeitleiste ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SignalStrip</name>
@@ -4729,6 +4899,14 @@
         <source>It could not be solved again; what you see is from before. %1 %2</source>
         <translation>Es ließ sich nicht neu berechnen; was Sie sehen, ist von vorher. %1 %2</translation>
     </message>
+    <message>
+        <source>This is the demo, playing.</source>
+        <translation>Das ist die Demo; sie läuft.</translation>
+    </message>
+    <message>
+        <source>Space stops it. Drag in the timeline to look at a moment, drag in the picture to look from elsewhere.</source>
+        <translation>Die Leertaste hält sie an. Ziehen Sie in der Zeitleiste, um einen Moment anzusehen, und im Bild, um von anderswo zu schauen.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SourceBar</name>
@@ -4816,6 +4994,22 @@
         <source>Inputs</source>
         <translation>Eingänge</translation>
     </message>
+    <message>
+        <source>Name the sensor board on this device</source>
+        <translation>Die Sensorplatine an diesem Gerät benennen</translation>
+    </message>
+    <message>
+        <source>Rig %1</source>
+        <translation>Rig %1</translation>
+    </message>
+    <message>
+        <source>The list of boards cannot be read</source>
+        <translation>Die Liste der Platinen ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>The board cannot be kept</source>
+        <translation>Die Platine lässt sich nicht speichern</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SphereMap</name>
@@ -4887,11 +5081,11 @@
     </message>
     <message>
         <source>Computing the range calibration</source>
-        <translation>Der Messbereich wird berechnet</translation>
+        <translation>Bereichskalibrierung wird berechnet</translation>
     </message>
     <message>
         <source>Computing the mounting</source>
-        <translation>Der Sitz wird berechnet</translation>
+        <translation>Befestigung wird berechnet</translation>
     </message>
 </context>
 <context>
@@ -4978,7 +5172,7 @@
     </message>
     <message>
         <source>Mounting: two poses of %1</source>
-        <translation>Sitz: zwei Posen, %1</translation>
+        <translation>Befestigung: zwei Posen, %1</translation>
     </message>
     <message>
         <source>Open a take: its signals appear here.</source>
@@ -5034,6 +5228,17 @@
     <message>
         <source>z</source>
         <translation>z</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::StudioApplication</name>
+    <message>
+        <source>Something unexpected happened (%1).</source>
+        <translation>Etwas Unerwartetes ist geschehen (%1).</translation>
+    </message>
+    <message>
+        <source>What is recorded is kept. If it happens again, start the studio anew.</source>
+        <translation>Was aufgenommen ist, bleibt erhalten. Geschieht es wieder, starten Sie das Studio neu.</translation>
     </message>
 </context>
 <context>
