@@ -115,6 +115,7 @@ void run(const Options& options, bool as_json, Console& console) {
     }
   }
   std::vector<const motion::Clip*> pointers;
+  pointers.reserve(clips.size());
   for (const motion::Clip& clip : clips) {
     pointers.push_back(&clip);
   }

@@ -111,6 +111,7 @@ fs::path part_path(const fs::path& path) {
 Status write(const std::vector<Clip>& clips, FileFormat format, const Preset& preset, const fs::path& path,
              const Progress& progress) {
   std::vector<const Clip*> pointers;
+  pointers.reserve(clips.size());
   for (const Clip& clip : clips) {
     pointers.push_back(&clip);
   }

@@ -40,6 +40,9 @@ class FrontEnd {
   std::vector<decode::LineInCycle> take_cycles();
   void keep_cycles(bool keep) { keep_cycles_ = keep; }
   Diagnostics take_diagnostics() { return decoder_.take_diagnostics(); }
+  /// As in the decoder: for recordings that begin and end in mid-stream.
+  void restart_findings() { decoder_.restart_findings(); }
+  void sum_up_findings() { decoder_.sum_up_findings(); }
   [[nodiscard]] const decode::LineInStatus& status() const { return decoder_.status(); }
 
  private:

@@ -56,19 +56,23 @@ Status LiveSession::start_recording(const std::filesystem::path& folder, const s
   if (!recorder) {
     return recorder.error();
   }
-  const std::scoped_lock lock(worker_->mutex);
-  worker_->recorder = std::move(*recorder);
-  worker_->recording_start = -1;
-  worker_->recording_error.clear();
-  worker_->pending_events.clear();
-  worker_->next_marker = 1;
-  worker_->take_folder = folder;
+  {
+    const std::scoped_lock lock(worker_->mutex);
+    worker_->recorder = std::move(*recorder);
+    worker_->recording_start = -1;
+    worker_->recording_error.clear();
+    worker_->pending_events.clear();
+    worker_->next_marker = 1;
+    worker_->take_folder = folder;
+  }
+  worker_->restart_findings();
   return {};
 }
 
 Result<take::Take> LiveSession::stop_recording() {
   std::unique_ptr<take::Recorder> recorder;
   worker_->write_pending_events();
+  worker_->sum_up_findings();
   {
     const std::scoped_lock lock(worker_->mutex);
     recorder = std::move(worker_->recorder);

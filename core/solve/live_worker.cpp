@@ -45,14 +45,13 @@ LiveWorker::LiveWorker(std::unique_ptr<acquire::LiveSource> live_source, LiveSet
 
 void LiveWorker::run() {
   preferred_ = prefer_this_thread();
-  bool was_alive = true;
   while (!stopping) {
     source->wait(kLongestWait_s);
     while (step()) {
     }
     write_pending_events();  // also of a device that gives nothing any more
-    if (was_alive && !source->alive()) {
-      was_alive = false;
+    if (!is_gone_ && !source->alive()) {
+      is_gone_ = true;
       note({{Severity::kError, "source.gone", fmt::format("{} has stopped giving samples", source->title()),
              "check the cable and the sound server, then choose the device again", source->title(), -1.0}});
     }
@@ -62,7 +61,20 @@ void LiveWorker::run() {
   }
   while (step()) {
   }
+  sum_up_findings();
   publish();
+}
+
+void LiveWorker::restart_findings() {
+  const std::scoped_lock lock(front_mutex_);
+  front_.restart_findings();
+  write_events(front_.take_diagnostics());
+}
+
+void LiveWorker::sum_up_findings() {
+  const std::scoped_lock lock(front_mutex_);
+  front_.sum_up_findings();
+  write_events(front_.take_diagnostics());
 }
 
 bool LiveWorker::step() {
@@ -85,8 +97,11 @@ bool LiveWorker::step() {
   if (newest_s > 0.0) {
     clock_.arrived(frames_pulled_, newest_s);
   }
-  front_.push(samples_);
-  note(front_.take_diagnostics());
+  {
+    const std::scoped_lock lock(front_mutex_);
+    front_.push(samples_);
+    note(front_.take_diagnostics());
+  }
   solve_frames(arrived_s);
   return count == bytes_.size();
 }
@@ -94,6 +109,9 @@ bool LiveWorker::step() {
 void LiveWorker::record(std::span<const std::byte> bytes) {
   const std::scoped_lock lock(mutex);
   if (new_calibration) {
+    if (recorder) {
+      (void)recorder->set_calibration(*new_calibration);  // a disk that fails shows when samples are written
+    }
     pose_.set_calibration(*std::exchange(new_calibration, {}));
   }
   if (new_headings) {
@@ -127,6 +145,10 @@ void LiveWorker::note(const Diagnostics& found) {
   }
   diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
   keep_newest(diagnostics_, kKeptDiagnostics);
+  write_events(found);
+}
+
+void LiveWorker::write_events(const Diagnostics& found) {
   const std::scoped_lock lock(mutex);
   if (!recorder) {
     return;
@@ -232,7 +254,7 @@ void LiveWorker::publish() {
       diagnostics_.end() - static_cast<std::ptrdiff_t>(std::min(diagnostics_.size(), kKeptDiagnostics)),
       diagnostics_.end());
   snapshot->counters = counters_;
-  snapshot->source_alive = source->alive();
+  snapshot->source_alive = !is_gone_ && source->alive();
   snapshot->device_latency_s = source->device_latency_s();
   snapshot->latency = latency_.report();
   snapshot->latency_mean_s = snapshot->latency.of(LatencyStage::kTotal).mean_s;

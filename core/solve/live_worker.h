@@ -27,6 +27,10 @@ struct LiveWorker {
   void run();
   /// Writes what callers have put into `pending_events`.
   void write_pending_events();
+  /// Findings anew for a recording that begins: what is so of the line is told first. Any thread, without locks held.
+  void restart_findings();
+  /// Into the events of the recording: what was only counted. Any thread, without locks held.
+  void sum_up_findings();
 
   std::unique_ptr<acquire::LiveSource> source;
   LiveSettings settings;
@@ -55,11 +59,13 @@ struct LiveWorker {
   bool step();
   void record(std::span<const std::byte> bytes);
   void note(const Diagnostics& found);
+  void write_events(const Diagnostics& found);
   void note_losses();
   void solve_frames(double arrived_s);
   void hand_over(const decode::LineInCycle& newest, double arrived_s);
   void publish();
 
+  std::mutex front_mutex_;  // of the front end's findings and what becomes of them; taken before `mutex`
   FrontEnd front_;
   LivePose pose_;
   CaptureClock clock_;
@@ -75,6 +81,7 @@ struct LiveWorker {
   std::uint64_t version_ = 0, figures_ = 0;
   double last_publish_s_ = 0.0;
   bool preferred_ = false;
+  bool is_gone_ = false;  // the source was found dead, which stopping it would make forget
 };
 
 }  // namespace limbwave::solve
