@@ -81,7 +81,7 @@ void record(const Options& options, bool as_json, Console& console) {
                         {"latency_max_s", last->latency_max_s},
                         {"device_latency_s", last->device_latency_s},
                         {"calibration", calibration.explanation},
-                         {"diagnostics", diagnostics_to_json(last->diagnostics)}},
+                        {"diagnostics", diagnostics_to_json(last->diagnostics)}},
                        options.json);
   } else {
     console.print(fmt::format(

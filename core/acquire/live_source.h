@@ -42,8 +42,8 @@ class LiveSource {
   virtual void stop() = 0;
   /// Copies whole frames that have arrived, as many as fit; returns the bytes written. Never blocks.
   virtual std::size_t pull(std::span<std::byte> out) = 0;
-  /// Waits until there may be something to pull, for at most `timeout_s`; the consumer's thread alone. This default looks
-  /// again after a millisecond.
+  /// Waits until there may be something to pull, for at most `timeout_s`; the consumer's thread alone. This default
+  /// looks again after a millisecond.
   virtual void wait(double timeout_s) {
     std::this_thread::sleep_for(std::chrono::duration<double>(std::min(timeout_s, 0.001)));
   }

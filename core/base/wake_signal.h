@@ -8,8 +8,8 @@
 namespace limbwave {
 
 /// Any number of `notify` before the waiting thread gets to run count as one. What was written before `notify` is seen
-/// after `wait_for` has answered true. An audio callback may call `notify`: it is one atomic exchange, and a wake-up call
-/// to the system only when the other side has taken the last one.
+/// after `wait_for` has answered true. An audio callback may call `notify`: it is one atomic exchange, and a wake-up
+/// call to the system only when the other side has taken the last one.
 class WakeSignal {
  public:
   void notify() {

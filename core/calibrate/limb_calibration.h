@@ -48,7 +48,7 @@ struct PoseProgress {
 
 /// One sensor's part of a limb calibration.
 struct SensorLimbResult {
-  int sensor = 0;  ///< Index into Rig::accelerometers.
+  int sensor = 0;          ///< Index into Rig::accelerometers.
   MountCalibration mount;  ///< Method "nominal", as in the rig, when the poses gave none.
   Verdict verdict = Verdict::kRepeat;
   std::string text;               ///< Verdict with its number and reason, for people.

@@ -85,8 +85,8 @@ class LineInDecoder {
   /// No more samples: decodes what is still waiting, and sums findings up.
   void finish();
 
-  /// Starts telling anew, as for a recording that begins in mid-stream: what is still so (exchanged channels, a line that
-  /// cannot be used) is told again, and counts start from nothing. Decoding does not notice.
+  /// Starts telling anew, as for a recording that begins in mid-stream: what is still so (exchanged channels, a line
+  /// that cannot be used) is told again, and counts start from nothing. Decoding does not notice.
   void restart_findings();
   /// Tells what was only counted since then.
   void sum_up_findings();

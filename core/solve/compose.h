@@ -20,8 +20,8 @@ motion::Clip compose_clip(const body::Skeleton& skeleton, const std::vector<doub
                           const std::vector<std::vector<Eigen::Quaterniond>>& inclinations,
                           const std::vector<std::vector<HeadingKey>>& headings, double frame_rate_hz);
 
-/// Rotations of one limb, without headings (estimate::orientations). Fails when one of its inclinations is not a number:
-/// as a rotation that would be a limb at rest, and nobody would notice.
+/// Rotations of one limb, without headings (estimate::orientations). Fails when one of its inclinations is not a
+/// number: as a rotation that would be a limb at rest, and nobody would notice.
 Result<std::vector<Eigen::Quaterniond>> limb_orientations(std::span<const estimate::Inclination> inclinations,
                                                           const std::string& sensor);
 

@@ -23,8 +23,9 @@ Status check_rate(const body::LineInSignal& signal, SampleRate rate) {
   const double slots_hz = signal.cycle_rate_hz * (1.0 + signal.cycle_rate_tolerance) * signal.slots;
   const double samples = rate.hz / slots_hz;
   if (samples < kLeastSamples) {
-    return Error{fmt::format("a slot of the board lasts only {:.1f} samples at {:.0f} samples a second", samples, rate.hz),
-                 "", fmt::format("record at {:.0f} at least, or correct the rig's cycle rate", kLeastSamples * slots_hz)};
+    return Error{
+        fmt::format("a slot of the board lasts only {:.1f} samples at {:.0f} samples a second", samples, rate.hz), "",
+        fmt::format("record at {:.0f} at least, or correct the rig's cycle rate", kLeastSamples * slots_hz)};
   }
   return {};
 }

@@ -8,9 +8,9 @@
 
 namespace limbwave::solve {
 
-/// Blocks of samples arrive when the device, the sound server and the scheduler get round to it; never too early. So the
-/// earliest of them tell where the stream's clock stands, and whatever comes later than these is late. What this cannot
-/// see is the delay that even the earliest block has: the device's own buffer.
+/// Blocks of samples arrive when the device, the sound server and the scheduler get round to it; never too early. So
+/// the earliest of them tell where the stream's clock stands, and whatever comes later than these is late. What this
+/// cannot see is the delay that even the earliest block has: the device's own buffer.
 ///
 /// The reference is the earliest arrival of the last 5 to 10 seconds: a device clock that is off by 100 ppm moves it by
 /// at most 1 ms.

@@ -21,12 +21,12 @@ struct PoseTimes {
 
 /// Where the time goes.
 enum class LatencyStage {
-  kCycle,    ///< oldest_slot → cycle_end: the board reads its slots one after another.
-  kArrival,  ///< cycle_end → arrived: the device's blocks, the edge that ends the cycle, waking up.
-  kSolve,    ///< arrived → solved: decoding, smoothing, kinematics.
-  kHandover, ///< solved → taken: until the interface is free.
-  kDraw,     ///< taken → drawn.
-  kTotal,    ///< oldest_slot → drawn.
+  kCycle,     ///< oldest_slot → cycle_end: the board reads its slots one after another.
+  kArrival,   ///< cycle_end → arrived: the device's blocks, the edge that ends the cycle, waking up.
+  kSolve,     ///< arrived → solved: decoding, smoothing, kinematics.
+  kHandover,  ///< solved → taken: until the interface is free.
+  kDraw,      ///< taken → drawn.
+  kTotal,     ///< oldest_slot → drawn.
 };
 inline constexpr std::size_t kLatencyStages = 6;
 /// A stable word: "cycle", "arrival", "solve", "handover", "draw", "total".

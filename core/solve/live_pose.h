@@ -1,7 +1,7 @@
 /// The causal solver: one acceleration frame in, one pose out. Depends on frames alone, never on how they arrive.
 ///
-/// Frames come two cycles late, because the axes of a cycle are brought to one instant. For the screen the newest cycles
-/// count: `ahead` runs copies of the trackers over their first versions and forgets them again.
+/// Frames come two cycles late, because the axes of a cycle are brought to one instant. For the screen the newest
+/// cycles count: `ahead` runs copies of the trackers over their first versions and forgets them again.
 #pragma once
 
 #include <span>

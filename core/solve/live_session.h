@@ -96,7 +96,8 @@ class LiveSession {
 
   /// The newest pose; null before the first.
   [[nodiscard]] std::shared_ptr<const LiveFigure> figure() const;
-  /// Called on the session's thread whenever there is a new `figure()`: shall only pass the word on. Set before `start`.
+  /// Called on the session's thread whenever there is a new `figure()`: shall only pass the word on. Set before
+  /// `start`.
   void on_figure(std::function<void()> told);
 
  private:

@@ -38,7 +38,7 @@ struct LiveWorker {
   // Shared with callers, under `mutex`.
   std::mutex mutex;
   std::unique_ptr<take::Recorder> recorder;
-  std::int64_t recording_start = 0;  // stream frame of the take's sample 0
+  std::int64_t recording_start = 0;             // stream frame of the take's sample 0
   std::vector<take::TakeEvent> pending_events;  // of the user; the worker writes them, so that no caller waits
   std::int64_t next_marker = 1;
   std::optional<calibrate::RigCalibration> new_calibration;

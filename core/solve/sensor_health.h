@@ -22,8 +22,8 @@ struct SensorHealth {
 };
 
 /// Judges accelerometer `sensor` by the newest second of `frames`, by what the rig's data sheet and the calibration
-/// allow: lost readings, an input that nothing drives (all axes at the ground, at the supply or half-way), values out of
-/// range, resting at another length than 1 g. A chip that holds one plausible value cannot be told from one at rest;
+/// allow: lost readings, an input that nothing drives (all axes at the ground, at the supply or half-way), values out
+/// of range, resting at another length than 1 g. A chip that holds one plausible value cannot be told from one at rest;
 /// that shows when it is turned, in the range calibration.
 SensorHealth sensor_health(const body::Rig& rig, const calibrate::SensorCalibration& calibration, int sensor,
                            std::span<const decode::AccelerationFrame> frames);

@@ -47,8 +47,12 @@ constexpr const char* kHoldAgain = "hold the poses again, still and exact: limbw
 // A result that its own procedure would not keep is better than none, but not without a word.
 Diagnostic poor(const char* code, const char* procedure, const std::string& verdict, const std::string& sensor,
                 const char* remedy) {
-  return {Severity::kWarning, code, fmt::format("the take's own {} calibration is poor: {}", procedure, verdict), remedy,
-          sensor, -1.0};
+  return {Severity::kWarning,
+          code,
+          fmt::format("the take's own {} calibration is poor: {}", procedure, verdict),
+          remedy,
+          sensor,
+          -1.0};
 }
 
 void add(Diagnostics& to, const Diagnostics& from) {
@@ -79,8 +83,8 @@ Result<std::optional<ChosenCalibration>> from_segments(const take::Take& take, c
       }
       add(chosen.diagnostics, outcome.result->diagnostics);
       if (outcome.result->verdict == calibrate::Verdict::kRepeat) {
-        chosen.diagnostics.push_back(poor("calibration.range-poor", "range", outcome.result->text,
-                                          rig.accelerometers[s].name, kTurnAgain));
+        chosen.diagnostics.push_back(
+            poor("calibration.range-poor", "range", outcome.result->text, rig.accelerometers[s].name, kTurnAgain));
       }
       chosen.calibration.sensors[s] = outcome.result->calibration;
       worst_residual = std::max(worst_residual, outcome.result->calibration.residual_g);

@@ -1,11 +1,10 @@
-#include "solve/take_calibration.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
 #include "body/skeleton.h"
+#include "solve/take_calibration.h"
 #include "support/temporary_folder.h"
 #include "take/calibration_library.h"
 

@@ -166,7 +166,8 @@ TEST_F(LiveRecording, ACalibrationThatIsMadeMeanwhileIsInTheTake) {
   session->set_calibration(calibration);
   feed(1.0, 2.0);
   wait_for([&](const LiveSnapshot& now) {
-    return !now.specific_force[3].empty() && now.specific_force[3].back().norm() > 1.5 * now.specific_force[2].back().norm();
+    return !now.specific_force[3].empty() &&
+           now.specific_force[3].back().norm() > 1.5 * now.specific_force[2].back().norm();
   });
   // A program that is killed now leaves it too.
   EXPECT_EQ(require(take::open_take(folder / "x.take")).info.calibration->sensors[3].method, "ellipsoid");

@@ -50,8 +50,8 @@ class SensorHealthTest : public testing::Test {
 };
 
 TEST_F(SensorHealthTest, RestingInAnyDirectionIsGood) {
-  for (const Vector3d& up : {Vector3d(0, 0, 1), Vector3d(-1, 0, 0), Vector3d(1, 1, 1), Vector3d(-1, -1, -1),
-                             Vector3d(0.3, -0.9, 0.4)}) {
+  for (const Vector3d& up :
+       {Vector3d(0, 0, 1), Vector3d(-1, 0, 0), Vector3d(1, 1, 1), Vector3d(-1, -1, -1), Vector3d(0.3, -0.9, 0.4)}) {
     EXPECT_EQ(of(output(up.normalized())).code, "good") << up.transpose();
   }
   calibration.method = "nominal";

@@ -1,6 +1,4 @@
 /// From a take to a clip: what is refused and what is said.
-#include "solve/solve.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 #include "solve/codes.h"
 #include "solve/compose.h"
 #include "solve/report_text.h"
+#include "solve/solve.h"
 #include "support/simulated_take.h"
 
 namespace limbwave::solve {

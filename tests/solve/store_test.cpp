@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/files.h"
 #include "solve/compose.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
 #include "support/simulated_take.h"
-
-#include <nlohmann/json.hpp>
 
 namespace limbwave::solve {
 namespace {
@@ -59,7 +58,9 @@ class SolveStore : public testing::Test {
     return result;
   }
   [[nodiscard]] fs::path stored(const char* file) const { return take.folder / "solves" / "default" / file; }
-  [[nodiscard]] double turned() const { return world_orientations(require(load_solve(take, "default")).clip)[16].back().w(); }
+  [[nodiscard]] double turned() const {
+    return world_orientations(require(load_solve(take, "default")).clip)[16].back().w();
+  }
 
   test::TemporaryFolder folder;
   take::Take take;

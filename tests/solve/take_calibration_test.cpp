@@ -135,9 +135,9 @@ TEST_F(TakeCalibration, AMountingThatThePosesDidNotGiveIsNotInstalled) {
   expected[sensor] = "nominal";
   EXPECT_EQ(mount_methods(calibration.calibration), expected);
   EXPECT_THAT(calibration.explanation, HasSubstr("mounting of 4"));
-  EXPECT_THAT(calibration.diagnostics, Contains(testing::AllOf(
-                                           testing::Field(&Diagnostic::code, "calibration.limb-poor"),
-                                           testing::Field(&Diagnostic::place, take.info.rig.accelerometers[sensor].name))));
+  EXPECT_THAT(calibration.diagnostics,
+              Contains(testing::AllOf(testing::Field(&Diagnostic::code, "calibration.limb-poor"),
+                                      testing::Field(&Diagnostic::place, take.info.rig.accelerometers[sensor].name))));
 }
 
 TEST_F(TakeCalibration, EverySourceByName) {

@@ -257,7 +257,8 @@ TEST_F(DamagedTake, ACalibrationOfAnotherRigIsNotUsed) {
 
 TEST_F(DamagedTake, RecoverTellsWhichSegmentItShortened) {
   Take take = must(open_take(path));
-  take.info.segments = {{"range", SampleIndex{0}, SampleCount{4000}}, {"capture", SampleIndex{4000}, SampleCount{1000}}};
+  take.info.segments = {{"range", SampleIndex{0}, SampleCount{4000}},
+                        {"capture", SampleIndex{4000}, SampleCount{1000}}};
   ASSERT_TRUE(save_info(take).ok());
   fs::resize_file(signal, header_size + 4500 * 6);
   const Diagnostics done = must(recover_take(path));

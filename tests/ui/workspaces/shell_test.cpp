@@ -112,6 +112,7 @@ class ShellTest : public QObject {
     window.show_workspace(QStringLiteral("solve"));
     auto* inspector = window.findChild<QDockWidget*>(QStringLiteral("inspector"));
     QVERIFY(!inspector->isVisible());
+    window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));  // shortcuts are the active window's
     QTest::keyClick(&window, Qt::Key_F3);
     QVERIFY(inspector->isVisible());
