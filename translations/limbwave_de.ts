@@ -5168,7 +5168,7 @@
     </message>
     <message>
         <source>Range: sensors are turned</source>
-        <translation>Messbereich: Sensoren werden gedreht</translation>
+        <translation>Bereich: Sensoren werden gedreht</translation>
     </message>
     <message>
         <source>Mounting: two poses of %1</source>

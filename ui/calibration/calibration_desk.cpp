@@ -213,7 +213,7 @@ void CalibrationDesk::change_library(const std::shared_ptr<LibraryEntry>& entry,
   context_.saves().add(
       in ? tr("The calibration is not saved in the library") : tr("The calibration is not taken out of the library"),
       [entry, in, library = library_, desk = QPointer<CalibrationDesk>(this)] {
-        const Status status = in ? entry->save(library) : entry->remove(library);
+        Status status = in ? entry->save(library) : entry->remove(library);
         // Only this thread's own copy of the pointer is touched here.
         QMetaObject::invokeMethod(qApp, [desk] {
           if (desk) {

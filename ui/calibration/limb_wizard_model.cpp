@@ -22,6 +22,9 @@ LimbWizardModel::LimbWizardModel(CalibrationDesk& desk, QObject* parent) : Wizar
   connect(&desk_.source(), &CalibrationSource::arrived, this, &LimbWizardModel::take_frames);
   connect(&desk_.source(), &CalibrationSource::changed, this, [this] {
     notice_loss(in_pose());
+    if (device_came() && (page_ == LimbPage::kChoose || page_ == LimbPage::kPrepare)) {
+      take_device();
+    }
     if (in_pose()) {
       Q_EMIT held();
     } else {
@@ -66,6 +69,19 @@ void LimbWizardModel::begin(int sensor, bool only) {
     sensors_ = {sensor};
   }
   set_page(LimbPage::kChoose);
+}
+
+void LimbWizardModel::take_device() {
+  const bool same = desk_.rig().name == target_.rig.name;
+  const LimbPage page = page_;
+  const int group = group_;
+  const std::vector<int> sensors = sensors_;
+  begin(-1);
+  if (same) {
+    choose_group(group);
+    sensors_ = sensors;
+    set_page(page);
+  }
 }
 
 void LimbWizardModel::choose_group(int group) {

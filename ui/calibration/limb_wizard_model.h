@@ -118,6 +118,8 @@ class LimbWizardModel : public WizardModel {
  private:
   void set_page(LimbPage page);
   [[nodiscard]] bool in_pose() const { return page_ == LimbPage::kCountdown || page_ == LimbPage::kHold; }
+  /// Begins anew with the running capture, the choice kept where the rig is the same.
+  void take_device();
   void start_poses(const std::vector<int>& sensors);
   void start_countdown(int pose);
   void start_hold();

@@ -45,6 +45,12 @@ RangeWizardModel::RangeWizardModel(CalibrationDesk& desk, QObject* parent) : Wiz
   connect(&desk_.source(), &CalibrationSource::arrived, this, &RangeWizardModel::take_frames);
   connect(&desk_.source(), &CalibrationSource::changed, this, [this] {
     notice_loss(page_ == RangePage::kTurn);
+    if (const RangePage page = page_;
+        device_came() && (page == RangePage::kChoose || page == RangePage::kInstructions)) {
+      const bool same = desk_.rig().name == target_.rig.name;
+      begin(same ? chosen_ : std::vector<int>{});
+      set_page(same ? page : RangePage::kChoose);
+    }
     if (page_ == RangePage::kTurn) {
       Q_EMIT turned();
     } else {

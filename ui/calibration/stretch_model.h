@@ -44,7 +44,7 @@ class StretchModel : public QObject {
   [[nodiscard]] const Stretch& stretch(int i) const { return stretches_.at(static_cast<std::size_t>(i)); }
   /// Kept within the take; a begin behind the end pushes the end, and the other
   /// way round.
-  void set_stretch(int i, Stretch stretch);
+  void set_stretch(int i, Stretch wanted);
 
   /// What the verdicts are for: the take.
   [[nodiscard]] CalibrationDesk::Target target() const;

@@ -84,7 +84,13 @@ class WizardModel : public QObject {
   void take_on(CalibrationDesk::Target target);
   /// Readings that come now are of the movement: of the device that it began
   /// with, which did not die in between.
-  [[nodiscard]] bool listens() const { return !interrupted_ && desk_.is_current(target_); }
+  [[nodiscard]] bool listens() const {
+    return !interrupted_ && target_.subject == CalibrationDesk::Subject::kLive && desk_.is_current(target_);
+  }
+  /// A device was opened for a wizard that began with the open take.
+  [[nodiscard]] bool device_came() const {
+    return target_.subject == CalibrationDesk::Subject::kTake && desk_.subject() == CalibrationDesk::Subject::kLive;
+  }
   /// The movement is running and its device is gone: keeps its take. Call on
   /// every change of the source.
   void notice_loss(bool moving);

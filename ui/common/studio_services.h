@@ -36,7 +36,7 @@ class LiveBackend {
   /// The newest pose; null before the first, and where a backend has no figures.
   [[nodiscard]] virtual std::shared_ptr<const solve::LiveFigure> figure() const { return nullptr; }
   /// `told` runs on any thread whenever there is a new `figure()`. Set before `start`.
-  virtual void on_figure(std::function<void()> /*told*/) {}
+  virtual void on_figure(std::function<void()> /*told*/) {}  // NOLINT(performance-unnecessary-value-param): is kept
 };
 
 /// How a device is to be opened; what is not said is the studio's choice for that device.

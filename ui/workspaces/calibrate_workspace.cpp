@@ -52,9 +52,9 @@ CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::Calibration
     connect(model, &WizardModel::left, this, &CalibrateWorkspace::leave_wizard);
   }
   connect(range_model_.get(), &WizardModel::saved, this,
-          [this](int count) { tell_saved(count, tr("Range calibration"), range_model_->from_take()); });
+          [this](int count) { tell_saved(count, tr("Range calibration"), *range_model_); });
   connect(limb_model_.get(), &WizardModel::saved, this,
-          [this](int count) { tell_saved(count, tr("Mounting calibration"), limb_model_->from_take()); });
+          [this](int count) { tell_saved(count, tr("Mounting calibration"), *limb_model_); });
   connect(stretch_page_, &StretchPage::left, this, &CalibrateWorkspace::show_overview);
   connect(stretch_model_.get(), &StretchModel::range_found, this, [this](const std::vector<RangeOutcome>& outcomes) {
     pages_->setCurrentWidget(range_wizard_);
@@ -136,9 +136,12 @@ void CalibrateWorkspace::leave_wizard() {
   }
 }
 
-void CalibrateWorkspace::tell_saved(int count, const QString& what, bool from_take) {
-  just_saved_ = from_take;
-  const QString where = from_take || desk_->recording_folder().empty() ? QString() : desk_->recording_note();
+void CalibrateWorkspace::tell_saved(int count, const QString& what, const WizardModel& model) {
+  just_saved_ = model.from_take();
+  if (!desk_->is_current(model.target())) {
+    return;  // The desk has told that it is in the library alone.
+  }
+  const QString where = model.from_take() || desk_->recording_folder().empty() ? QString() : desk_->recording_note();
   context_.notifications().post(Severity::kInfo, tr("%1 of %2 is saved and in use.").arg(what, counted_sensors(count)),
                                 where);
 }

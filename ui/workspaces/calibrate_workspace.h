@@ -41,7 +41,7 @@ class CalibrateWorkspace : public Workspace {
   void start_limb(int sensor, bool only);
   void start_stretch();
   void leave_wizard();
-  void tell_saved(int count, const QString& what, bool from_take);
+  void tell_saved(int count, const QString& what, const WizardModel& model);
 
   StudioContext& context_;
   std::unique_ptr<CalibrationSource> source_;

@@ -340,6 +340,48 @@ class CalibrateWorkspaceTest : public QObject {
     QVERIFY(!bench.studio.context->notifications().all().empty());
   }
 
+  void a_device_opened_for_a_wizard_of_a_take_is_the_one_that_is_calibrated() {
+    CalibrateStudio bench;
+    bench.source->set_running(false);
+    take::Take take;
+    take.folder = bench.folder.filePath(QStringLiteral("open.take")).toStdString();
+    take.info.rig = bench.source->rig();
+    take.info.skeleton = bench.source->skeleton();
+    bench.studio.context->document().set(take);
+    bench.click("calibrate_range");
+    bench.workspace->range_model().choose(4, false);
+    QVERIFY(!bench.button("next")->isEnabled());
+    bench.source->set_running(true);
+    QCOMPARE(bench.workspace->range_model().chosen(), (std::vector<int>{0, 1, 2, 3}));
+    bench.click("next");
+    bench.click("next");
+    bench.wearer->turn(90.0);
+    bench.click("next");
+    QTRY_VERIFY(bench.button("accept_0") != nullptr);
+    bench.click("next");
+    QTRY_VERIFY(bench.button("calibrate_mounting") != nullptr);
+    QVERIFY(bench.source->calibration().sensors[0].method != "nominal");
+    QVERIFY(!bench.studio.context->document().take()->info.calibration);
+  }
+
+  void an_undone_mounting_is_not_given_to_whoever_wears_the_sensors_by_then() {
+    CalibrateStudio bench;
+    CalibrationDesk& desk = bench.workspace->desk();
+    desk.set_wearer(QStringLiteral("Ada"));
+    calibrate::RigCalibration of_ada = desk.calibration();
+    of_ada.mounts[0].method = "two poses";
+    of_ada.sensors[0].residual_g = 0.125;
+    desk.apply(of_ada);
+    QCOMPARE(bench.source->calibration().mounts[0].method, std::string("two poses"));
+    QUndoStack& undo = bench.studio.context->undo_stack();
+    undo.undo();
+    QCOMPARE(bench.source->calibration().mounts[0].method, std::string("nominal"));
+    desk.set_wearer(QStringLiteral("Bo"));
+    undo.redo();
+    QCOMPARE(bench.source->calibration().mounts[0].method, std::string("nominal"));
+    QCOMPARE(bench.source->calibration().sensors[0].residual_g, 0.125);
+  }
+
   void an_older_calibration_can_be_used_again() {
     CalibrateStudio bench;
     range_to_the_end(bench, false);
