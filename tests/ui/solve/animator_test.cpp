@@ -10,6 +10,7 @@
 #include "common/core_services.h"
 #include "interchange/bvh_reader.h"
 #include "simulate/simulate.h"
+#include "solve/report_text.h"
 #include "ui/support/solve_fixture.h"
 #include "viewer/viewer_widget.h"
 #include "workspaces/export/export_workspace.h"
@@ -142,7 +143,8 @@ class AnimatorTest : public QObject {
     press(Qt::Key_Up);
     QVERIFY(model.skeleton().segments[static_cast<std::size_t>(upper)].length > before);
     // Other smoothing: solves again.
-    auto* smoothing = tab_to<QComboBox>([](const QComboBox& box) { return box.count() == 3; });
+    auto* smoothing = tab_to<QComboBox>(
+        [](const QComboBox& box) { return box.count() == static_cast<int>(solve::kSmoothings.size()); });
     QVERIFY2(smoothing != nullptr, "smoothing cannot be reached by keyboard");
     const int chosen = smoothing->currentIndex();
     press(chosen == 0 ? Qt::Key_Down : Qt::Key_Up);
