@@ -181,7 +181,7 @@ TEST(SoundServer, ThreeMinutesOfRealAccelerationsArriveWhole) {
       EXPECT_NEAR(read.duration(), wired.clip.duration(), 0.05);
     }
   }
-  EXPECT_EQ(compared, 15) << "five sensors with optical truth, three ways of smoothing";
+  EXPECT_EQ(compared, 20) << "five sensors with optical truth, four ways of smoothing";
 }
 
 }  // namespace
