@@ -21,7 +21,7 @@ QualityReport report_from_json(const nlohmann::json& json);
 nlohmann::json settings_to_json(const SolveSettings& settings);
 Result<SolveSettings> settings_from_json(const nlohmann::json& json, const std::string& place);
 
-/// All smoothings, the default first.
+/// All smoothings, in the order in which faces list them.
 inline constexpr std::array kSmoothings{Smoothing::kChain, Smoothing::kAdaptive, Smoothing::kBridging,
                                         Smoothing::kNone};
 std::string_view name(Smoothing smoothing);  ///< "none", "adaptive", "bridging", "chain"
