@@ -1,22 +1,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
 #include "commands.h"
+#include "interchange/animation_file.h"
 #include "interchange/bone_map.h"
-#include "interchange/bvh_reader.h"
 #include "interchange/export_file.h"
-#include "interchange/fbx_reader.h"
-#include "interchange/gltf_clip.h"
-#include "interchange/gltf_file.h"
 #include "interchange/mesh_file.h"
-#include "motion/skinning.h"
 #include "solve/solve.h"
 #include "take/take.h"
 
@@ -25,68 +19,39 @@ namespace {
 
 struct Options {
   std::vector<std::string> inputs;
-  std::string output, solve = "default", preset = "plain", unit, root, mesh, json;
+  std::string output, solve = "default", preset = "plain", names, rest, unit, root, mesh, json;
   double fps = 0.0, from = 0.0, to = -1.0, key_tolerance_deg = 0.0;
-  bool no_mesh = false, no_rest_frame = false;
+  bool no_mesh = false, rest_frame = false, no_rest_frame = false;
 };
 
-// ".BVH" of another program is ".bvh" too.
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return letter < 0x80 ? std::tolower(letter) : letter; });
-  return extension;
-}
-
-motion::Clip first_of(std::vector<motion::Clip> clips, const std::string& input, Console& console) {
+motion::Clip load_clip(const std::string& input, const std::string& solve, Console& console) {
+  if (std::filesystem::is_directory(input)) {
+    const take::Take take = console.check(take::open_take(input));
+    return console.check(solve::load_solve(take, solve)).clip;
+  }
+  if (!interchange::is_animation_file(input)) {
+    console.fail({"is neither a take nor an animation that can be read", input,
+                  "name a take's folder, a .bvh, .glb, .gltf, .vrm or .fbx"});
+  }
+  Diagnostics findings;
+  std::vector<motion::Clip> clips = console.check(interchange::load_animation(input, &findings));
+  console.print(findings);
   if (clips.size() > 1) {
     console.print(fmt::format("{}: the first of {} movements is taken", input, clips.size()));
   }
   return std::move(clips.front());
 }
 
-motion::Clip load_clip(const std::string& input, const std::string& solve, Console& console) {
-  const std::filesystem::path path(input);
-  const std::string extension = extension_of(path);
-  if (std::filesystem::is_directory(path)) {
-    const take::Take take = console.check(take::open_take(path));
-    return console.check(solve::load_solve(take, solve)).clip;
-  }
-  if (extension == ".bvh") {
-    interchange::BvhReadOptions read;
-    read.metres_per_unit = std::nullopt;  // the file does not say; the skeleton's size does
-    return console.check(interchange::load_bvh(path, read));
-  }
-  if (extension == ".glb" || extension == ".gltf" || extension == ".vrm") {
-    // A take's own clip says more than glTF does.
-    if (Result<motion::Clip> own = interchange::load_glb(path)) {
-      return *std::move(own);
-    }
-    Diagnostics findings;
-    std::vector<motion::Clip> clips = console.check(interchange::load_gltf(path, &findings));
-    console.print(findings);
-    return first_of(std::move(clips), input, console);
-  }
-  if (extension == ".fbx") {
-    return first_of(console.check(interchange::load_fbx(path)), input, console);
-  }
-  console.fail({"is neither a take nor an animation that can be read", input,
-                "name a take's folder, a .bvh, .glb, .gltf, .vrm or .fbx"});
-}
-
-// The mesh in the pose in which meshes are made: a T-pose for a person, the rest pose for what is none.
-std::shared_ptr<const motion::SkinnedMesh> skin(const motion::Clip& clip, const std::string& file, Console& console) {
-  const motion::TriangleMesh mesh = console.check(interchange::load_mesh(file));
-  const std::vector<std::string> roles = interchange::roles_of(clip.skeleton);
-  const motion::Clip posed = motion::with_rest(clip, interchange::t_pose(clip.skeleton, roles));
-  const std::vector<body::SegmentPose> bind = motion::rest_poses(posed.skeleton);
-  return std::make_shared<motion::SkinnedMesh>(
-      console.check(motion::skinned(motion::fitted(mesh, bind), clip.skeleton, bind, {}, console.progress())));
-}
-
 interchange::ExportOptions read_options(const Options& options, Console& console) {
   interchange::ExportOptions result;
   result.preset = console.check(interchange::load_preset(options.preset));
+  if (!options.names.empty()) {
+    result.preset.bone_map = options.names == "as-is" ? "" : options.names;
+  }
+  if (!options.rest.empty()) {
+    result.preset.rest = options.rest == "t-pose" ? interchange::RestPose::kTPose : interchange::RestPose::kAsIs;
+  }
+  result.preset.rest_frame = result.preset.rest_frame || options.rest_frame;
   result.fps = options.fps;
   result.begin_s = options.from;
   if (options.to >= 0.0) {
@@ -111,7 +76,8 @@ void run(const Options& options, bool as_json, Console& console) {
   for (const std::string& input : options.inputs) {
     clips.push_back(load_clip(input, options.solve, console));
     if (!options.mesh.empty()) {
-      clips.back().meshes = {skin(clips.back(), options.mesh, console)};
+      clips.back().meshes = {
+          console.check(interchange::skinned_mesh_file(options.mesh, clips.back(), console.progress()))};
     }
   }
   std::vector<const motion::Clip*> pointers;
@@ -177,7 +143,14 @@ void add_export(CLI::App& app, Console& console) {
   auto* mesh = command->add_option("--mesh", options->mesh, "Mesh to skin to the skeleton (.obj, .glb, .fbx)")
                    ->check(CLI::ExistingFile);
   command->add_flag("--no-mesh", options->no_mesh, "No skinned mesh, not even a mannequin")->excludes(mesh);
-  command->add_flag("--no-rest-frame", options->no_rest_frame, "No rest pose on frame 0, where the preset has one");
+  command->add_option("--bone-names", options->names,
+                      fmt::format("Names of the bones: as-is, {}, or a file; default: as the preset has it",
+                                  fmt::join(interchange::bone_map_names(), ", ")));
+  command->add_option("--rest", options->rest, "Rest pose: as-is or t-pose; default: as the preset has it")
+      ->check(CLI::IsMember({"as-is", "t-pose"}));
+  auto* rest_frame = command->add_flag("--rest-frame", options->rest_frame, "The rest pose on frame 0");
+  command->add_flag("--no-rest-frame", options->no_rest_frame, "No rest pose on frame 0, where the preset has one")
+      ->excludes(rest_frame);
   add_json_option(*command, options->json, "Write what was exported as JSON");
   command->footer("Example: limbwave export reach.take -o reach.fbx --preset unreal --fps 30");
   command->callback([options, command, &console] { run(*options, command->count("--json") > 0, console); });

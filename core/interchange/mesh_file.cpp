@@ -7,8 +7,10 @@
 #include <assimp/Importer.hpp>
 
 #include "base/files.h"
+#include "interchange/bone_map.h"
 #include "interchange/file_axes.h"
 #include "interchange/names.h"
+#include "motion/transforms.h"
 
 namespace limbwave::interchange {
 namespace {
@@ -57,6 +59,28 @@ Result<motion::TriangleMesh> load_mesh(const std::filesystem::path& path) {
     return Error{"has no triangles", path.string(), "choose a file with a mesh"};
   }
   return result;
+}
+
+Result<std::shared_ptr<const motion::SkinnedMesh>> skinned_mesh_file(const std::filesystem::path& path,
+                                                                     const motion::Clip& clip,
+                                                                     const Progress& progress) {
+  if (!progress.report(0.0, "reading the mesh")) {
+    return cancelled();
+  }
+  Result<motion::TriangleMesh> mesh = load_mesh(path);
+  if (!mesh) {
+    return mesh.error();
+  }
+  motion::Clip still;
+  still.skeleton = clip.skeleton;
+  still = motion::with_rest(std::move(still), t_pose(clip.skeleton, roles_of(clip.skeleton)));
+  const std::vector<body::SegmentPose> bind = motion::rest_poses(still.skeleton);
+  Result<motion::SkinnedMesh> skinned =
+      motion::skinned(motion::fitted(*std::move(mesh), bind), clip.skeleton, bind, {}, progress.part(0.1, 1.0));
+  if (!skinned) {
+    return skinned.error();
+  }
+  return std::shared_ptr<const motion::SkinnedMesh>(std::make_shared<motion::SkinnedMesh>(*std::move(skinned)));
 }
 
 }  // namespace limbwave::interchange
