@@ -61,9 +61,10 @@ int main(int argc, char** argv) {
       QApplication::translate("main", "Write pictures of the solved TAKE into this folder and end; needs no display."),
       QStringLiteral("folder"));
   parser.addOptions({demo, theme, pictures});
-  parser.addPositionalArgument(QStringLiteral("TAKE"),
-                               QApplication::translate("main", "Take folder to open, or recordings to import."),
-                               QStringLiteral("[TAKE]"));
+  parser.addPositionalArgument(
+      QStringLiteral("TAKE"),
+      QApplication::translate("main", "Take folder or animation to open, or recordings to import."),
+      QStringLiteral("[TAKE]"));
   parser.process(application);
   const QStringList arguments = parser.positionalArguments();
 
@@ -101,6 +102,8 @@ int main(int argc, char** argv) {
     } else if (!arguments.isEmpty()) {
       if (QFileInfo(arguments.first()).isDir()) {
         window.take_actions().open(arguments.first());
+      } else if (limbwave::ui::TakeActions::is_animation(arguments.first())) {
+        window.take_actions().open_animation(arguments.first());
       } else {
         window.take_actions().import_files(arguments);
       }

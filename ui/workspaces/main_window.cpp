@@ -110,6 +110,8 @@ void MainWindow::make_actions() {
   add(take_menu_, QStringLiteral("plus"), tr("New take"), QKeySequence::New, [this] { take_actions_->new_take(); });
   add(take_menu_, QStringLiteral("folder"), tr("Open take…"), QKeySequence::Open,
       [this] { take_actions_->choose_and_open(); });
+  add(take_menu_, QStringLiteral("export"), tr("Open animation…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+      [this] { take_actions_->choose_and_open_animation(); });
   add(take_menu_, QStringLiteral("import"), tr("Import recording…"), QKeySequence(Qt::CTRL | Qt::Key_I),
       [this] { take_actions_->choose_and_import(); });
   take_menu_->addMenu(recent_menu_);

@@ -20,6 +20,7 @@ std::vector<ShortcutGroup> shortcut_groups(const StudioParts& parts) {
       {{QStringLiteral("1 – %1").arg(parts.workspaces.size()), ShortcutSheet::tr("Go to a workspace")},
        {QStringLiteral("Ctrl+N"), ShortcutSheet::tr("New take")},
        {QStringLiteral("Ctrl+O"), ShortcutSheet::tr("Open a take")},
+       {QStringLiteral("Ctrl+Shift+O"), ShortcutSheet::tr("Open an animation")},
        {QStringLiteral("Ctrl+I"), ShortcutSheet::tr("Import recordings")},
        {QStringLiteral("Ctrl+W"), ShortcutSheet::tr("Close the take")},
        {QStringLiteral("Ctrl+Z"), ShortcutSheet::tr("Undo")},

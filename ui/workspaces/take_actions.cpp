@@ -6,6 +6,8 @@
 
 #include "common/format.h"
 #include "common/motion_names.h"
+#include "interchange/animation_file.h"
+#include "workspaces/export/export_source_card.h"
 #include "workspaces/import_sheet.h"
 
 namespace limbwave::ui {
@@ -40,6 +42,22 @@ void TakeActions::choose_and_open() {
   if (!folder.isEmpty()) {
     open(folder);
   }
+}
+
+void TakeActions::choose_and_open_animation() {
+  const QString file =
+      QFileDialog::getOpenFileName(window_, tr("Open an animation"), context_.takes_folder(), animation_filter());
+  if (!file.isEmpty()) {
+    open_animation(file);
+  }
+}
+
+bool TakeActions::is_animation(const QString& file) {
+  return QFileInfo(file).isFile() && interchange::is_animation_file(file.toStdString());
+}
+
+void TakeActions::open_animation(const QString& file) {
+  context_.reveal(QStringLiteral("export"), QStringLiteral("animation:") + file);
 }
 
 void TakeActions::choose_and_import() {
@@ -120,7 +138,7 @@ void TakeActions::open_demo(const QString& motion) {
 bool TakeActions::acceptable(const QList<QUrl>& urls) {
   for (const QUrl& url : urls) {
     const QFileInfo info(url.toLocalFile());
-    if (url.isLocalFile() && (is_take(info) || is_recording(info))) {
+    if (url.isLocalFile() && (is_take(info) || is_recording(info) || is_animation(info.filePath()))) {
       return true;
     }
   }
@@ -129,19 +147,23 @@ bool TakeActions::acceptable(const QList<QUrl>& urls) {
 
 void TakeActions::handle_drop(const QList<QUrl>& urls) {
   QStringList recordings;
-  QString take;
+  QString take, animation;
   for (const QUrl& url : urls) {
     const QFileInfo info(url.toLocalFile());
     if (is_take(info)) {
       take = info.filePath();
     } else if (is_recording(info)) {
       recordings.append(info.filePath());
+    } else if (is_animation(info.filePath())) {
+      animation = info.filePath();
     }
   }
   if (!recordings.isEmpty()) {
     import_files(recordings);
   } else if (!take.isEmpty()) {
     open(take);
+  } else if (!animation.isEmpty()) {
+    open_animation(animation);
   }
 }
 

@@ -19,7 +19,10 @@ class TakeActions : public QObject {
   void new_take();
   void choose_and_open();
   void choose_and_import();
+  void choose_and_open_animation();
   void open(const QString& folder);
+  /// Shows an animation file of another program in Export.
+  void open_animation(const QString& file);
   /// Imports recordings into a new take named after the first, and opens it.
   void import_files(const QStringList& files);
   /// Makes the take in a job and opens it.
@@ -27,7 +30,9 @@ class TakeActions : public QObject {
   /// Opens the demo take of this motion, simulating it first when it is not on disk yet.
   void open_demo(const QString& motion);
 
-  /// Sorts what was dropped on the window into recordings to import and take folders to open; false: neither.
+  /// Whether a file is an animation that can be opened.
+  static bool is_animation(const QString& file);
+  /// Sorts what was dropped on the window into recordings to import, take folders and animations to open; false: none.
   static bool acceptable(const QList<QUrl>& urls);
   void handle_drop(const QList<QUrl>& urls);
 

@@ -49,7 +49,7 @@ WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* 
   name->setFont(large);
   column->addWidget(name);
   auto* sentence = new QLabel(tr("Records what low-cost sensors on a body feel and turns it into animation for "
-                                 "Blender, Maya and game engines."),
+                                 "Blender, Maya, MotionBuilder, Unreal and Unity."),
                               content);
   QFont medium = sentence->font();
   medium.setPixelSize(16);
@@ -78,9 +78,12 @@ WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* 
   connect(import, &QPushButton::clicked, this, [this] { actions_.choose_and_import(); });
   auto* open = add_button(QStringLiteral("folder"), tr("Open take"), tr("A folder that ends in .take"), false);
   connect(open, &QPushButton::clicked, this, [this] { actions_.choose_and_open(); });
-  buttons->addWidget(dim_label(tr("or drop recordings and takes anywhere on this window"), content));
+  auto* animation = add_button(QStringLiteral("export"), tr("Open animation"),
+                               tr("BVH, FBX or glTF of another program, to look at it and to export it on"), false);
+  connect(animation, &QPushButton::clicked, this, [this] { actions_.choose_and_open_animation(); });
   buttons->addStretch();
   column->addLayout(buttons);
+  column->addWidget(dim_label(tr("or drop recordings, takes and animations anywhere on this window"), content));
   column->addSpacing(2 * kGrid);
   column->addWidget(make_demos());
   column->addSpacing(kGrid);

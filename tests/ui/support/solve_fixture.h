@@ -118,7 +118,7 @@ struct FakeSolving {
       const std::lock_guard lock(mutex);
       return stored ? std::vector<std::string>{stored->settings.name} : std::vector<std::string>();
     };
-    table.write_bvh = interchange::write_bvh;
+    table.export_file = interchange::export_file;
     return table;
   }
 };

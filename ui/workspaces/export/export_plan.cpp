@@ -5,9 +5,11 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <cmath>
 
-#include "interchange/bvh_reader.h"
+#include "base/files.h"
+#include "base/units.h"
+#include "interchange/bone_map.h"
+#include "workspaces/export/export_words.h"
 
 namespace limbwave::ui {
 
@@ -17,40 +19,200 @@ struct Export {
   Q_DECLARE_TR_FUNCTIONS(Export)
 };
 
-/// Leaves nothing behind, however the export ends.
-class PartFile {
- public:
-  explicit PartFile(std::filesystem::path path) : path_(std::move(path)) {}
-  ~PartFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
+using interchange::FileFormat;
+using interchange::FileUnit;
+using interchange::RestPose;
+using motion::RootMotion;
 
- private:
-  std::filesystem::path path_;
-};
+const auto kLastPreset = QStringLiteral("export/preset");
+
+QString group(const std::string& preset) {
+  return QStringLiteral("export/presets/%1/").arg(QString::fromStdString(preset));
+}
+
+// A choice that is kept as a number; nothing for what the preset decides.
+template <typename T>
+void put(QSettings& settings, const QString& key, const std::optional<T>& value) {
+  if (value) {
+    settings.setValue(key, static_cast<int>(*value));
+  } else {
+    settings.remove(key);
+  }
+}
+
+template <typename T>
+std::optional<T> get(const QSettings& settings, const QString& key, int most) {
+  bool ok = false;
+  const int value = settings.value(key).toInt(&ok);
+  return ok && value >= 0 && value <= most ? std::optional<T>(static_cast<T>(value)) : std::nullopt;
+}
 
 }  // namespace
 
 std::vector<ExportFormat> export_formats() {
-  return {{QStringLiteral("bvh"), Export::tr("BVH"), QStringLiteral(".bvh"),
-           Export::tr("Skeleton and motion as text, for Blender, Maya, MotionBuilder and others")}};
+  return {{FileFormat::kFbx, QStringLiteral("fbx"), Export::tr("FBX"), QStringLiteral(".fbx"),
+           Export::tr("Skeleton, motion and skinned body; Blender, Maya, MotionBuilder, Unreal and Unity read it"),
+           true, true},
+          {FileFormat::kGlb, QStringLiteral("glb"), Export::tr("glTF, binary (.glb)"), QStringLiteral(".glb"),
+           Export::tr("Skeleton, motion and skinned body in one file; Blender, Unreal and web viewers read it"), true,
+           false},
+          {FileFormat::kGltf, QStringLiteral("gltf"), Export::tr("glTF, text (.gltf)"), QStringLiteral(".gltf"),
+           Export::tr("The same as readable JSON, a third larger"), true, false},
+          {FileFormat::kVrm, QStringLiteral("vrm"), Export::tr("VRM 1.0 (.vrm)"), QStringLiteral(".vrm"),
+           Export::tr("An avatar with its bones marked, for VRM viewers"), true, false},
+          {FileFormat::kBvh, QStringLiteral("bvh"), Export::tr("BVH"), QStringLiteral(".bvh"),
+           Export::tr("One skeleton and its motion as text, without a body; Blender and MotionBuilder read it"), false,
+           true},
+          {FileFormat::kCsv, QStringLiteral("csv"), Export::tr("CSV, poses as a table"), QStringLiteral(".csv"),
+           Export::tr("Where every bone is in every frame, for spreadsheets and scripts"), false, false}};
+}
+
+ExportFormat export_format(const QString& id) {
+  const std::vector<ExportFormat> formats = export_formats();
+  const auto found = std::find_if(formats.begin(), formats.end(), [&](const auto& one) { return one.id == id; });
+  return found == formats.end() ? formats.front() : *found;
+}
+
+std::optional<ExportFormat> format_of_file(const std::filesystem::path& file) {
+  const Result<FileFormat> format = interchange::format_of(file);
+  for (const ExportFormat& one : export_formats()) {
+    if (format && one.format == *format) {
+      return one;
+    }
+  }
+  return std::nullopt;
 }
 
 const std::vector<double>& export_rates() {
-  static const std::vector<double> kRates{24, 25, 30, 50, 60, 120};
+  static const std::vector<double> kRates{23.976, 24, 25, 29.97, 30, 48, 50, 59.94, 60, 100, 120};
   return kRates;
 }
 
-std::filesystem::path default_export_file(const std::filesystem::path& take_folder, const std::string& solve,
+std::vector<PresetEntry> read_presets() {
+  std::vector<PresetEntry> entries;
+  const std::filesystem::path mine = user_data_folder() / "presets";
+  for (const std::string& name : interchange::preset_names()) {
+    PresetEntry entry{name, {}, {}, false};
+    std::error_code ignored;
+    entry.own = std::filesystem::exists(mine / (name + ".json"), ignored);
+    if (Result<interchange::Preset> preset = interchange::load_preset(name)) {
+      entry.preset = *std::move(preset);
+    } else {
+      entry.error = preset.error();
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+interchange::Preset effective_preset(const ExportChoices& choices, const interchange::Preset& preset) {
+  interchange::Preset made = preset;
+  made.root_motion = choices.root_motion.value_or(made.root_motion);
+  made.rest = choices.rest.value_or(made.rest);
+  made.rest_frame = choices.rest_frame.value_or(made.rest_frame);
+  made.bone_map = choices.bone_map.value_or(made.bone_map);
+  made.unit = choices.unit.value_or(made.unit);
+  const ExportFormat format = export_format(choices.format);
+  if (!format.has_unit) {
+    made.unit = FileUnit::kMetres;
+  }
+  if (!format.has_frames) {
+    made.bone_axis = interchange::BoneAxis::kAsIs;
+    made.root_bone.clear();
+  }
+  if (format.format == FileFormat::kCsv) {
+    made.rest_frame = false;
+  }
+  if (made.root_motion == RootMotion::kOnRoot && made.root_bone.empty()) {
+    made.root_motion = RootMotion::kFree;
+  }
+  return made;
+}
+
+interchange::ExportOptions export_options(const ExportChoices& choices, const interchange::Preset& preset,
+                                          double begin_s, double end_s) {
+  interchange::ExportOptions options;
+  options.preset = preset;
+  options.preset.rest = choices.rest.value_or(preset.rest);
+  options.preset.rest_frame = choices.rest_frame.value_or(preset.rest_frame);
+  options.preset.bone_map = choices.bone_map.value_or(preset.bone_map);
+  options.fps = choices.fps;
+  options.begin_s = begin_s;
+  options.end_s = end_s;
+  options.root_motion = choices.root_motion;
+  options.unit = choices.unit;
+  options.key_tolerance_rad = radians(choices.key_tolerance_deg);
+  options.mesh = choices.body != ExportBody::kNone;
+  return options;
+}
+
+ExportChoices remembered_choices(QSettings& settings, const std::string& preset, const QString& format) {
+  ExportChoices choices;
+  choices.preset = preset;
+  const QString at = group(preset);
+  const bool known = settings.contains(at + QStringLiteral("format"));
+  choices.format = export_format(settings.value(at + QStringLiteral("format"), format).toString()).id;
+  if (!known && !reads(preset, choices.format)) {
+    choices.format = usual_format(preset);
+  }
+  const double fps = settings.value(at + QStringLiteral("fps"), 0.0).toDouble();
+  choices.fps = fps >= kLowestRate && fps <= kHighestRate ? fps : 0.0;
+  choices.root_motion = get<RootMotion>(settings, at + QStringLiteral("root"), 1);
+  choices.rest = get<RestPose>(settings, at + QStringLiteral("rest"), 1);
+  choices.rest_frame = get<bool>(settings, at + QStringLiteral("rest_frame"), 1);
+  choices.unit = get<FileUnit>(settings, at + QStringLiteral("unit"), 1);
+  if (settings.contains(at + QStringLiteral("names"))) {
+    choices.bone_map = settings.value(at + QStringLiteral("names")).toString().toStdString();
+  }
+  choices.key_tolerance_deg =
+      std::clamp(settings.value(at + QStringLiteral("tolerance_deg"), 0.0).toDouble(), 0.0, kMostTolerance);
+  choices.body = get<ExportBody>(settings, at + QStringLiteral("body"), 2).value_or(ExportBody::kMannequin);
+  choices.mesh = settings.value(at + QStringLiteral("mesh")).toString().toStdString();
+  return choices;
+}
+
+void remember_choices(QSettings& settings, const ExportChoices& choices) {
+  const QString at = group(choices.preset);
+  settings.setValue(kLastPreset, QString::fromStdString(choices.preset));
+  settings.setValue(at + QStringLiteral("format"), choices.format);
+  settings.setValue(at + QStringLiteral("fps"), choices.fps);
+  put(settings, at + QStringLiteral("root"), choices.root_motion);
+  put(settings, at + QStringLiteral("rest"), choices.rest);
+  put(settings, at + QStringLiteral("rest_frame"), choices.rest_frame);
+  put(settings, at + QStringLiteral("unit"), choices.unit);
+  if (choices.bone_map) {
+    settings.setValue(at + QStringLiteral("names"), QString::fromStdString(*choices.bone_map));
+  } else {
+    settings.remove(at + QStringLiteral("names"));
+  }
+  settings.setValue(at + QStringLiteral("tolerance_deg"), choices.key_tolerance_deg);
+  settings.setValue(at + QStringLiteral("body"), static_cast<int>(choices.body));
+  settings.setValue(at + QStringLiteral("mesh"), QString::fromStdString(choices.mesh.string()));
+}
+
+std::string remembered_preset(const QSettings& settings) {
+  return settings.value(kLastPreset, QStringLiteral("plain")).toString().toStdString();
+}
+
+std::filesystem::path default_export_file(const std::filesystem::path& origin, const std::string& solve,
                                           const QString& extension) {
-  std::string name = take_folder.stem().string();
+  std::string name = origin.stem().string();
   if (!solve.empty() && solve != "default") {
     name += "-" + solve;
   }
-  return take_folder.parent_path() / (name + extension.toStdString());
+  std::filesystem::path file = origin.parent_path() / (name + extension.toStdString());
+  return file == origin ? origin.parent_path() / (name + "-export" + extension.toStdString()) : file;
+}
+
+QString with_extension(const QString& file, const QString& extension) {
+  const std::filesystem::path path = file.toStdString();
+  if (!path.has_filename() || !path.has_extension()) {
+    return path.has_filename() ? file + extension : file;
+  }
+  if (!format_of_file(path)) {
+    return file + extension;
+  }
+  return file.left(file.size() - QString::fromStdString(path.extension().string()).size()) + extension;
 }
 
 QString export_file_problem(const std::filesystem::path& file, const QString& extension) {
@@ -72,67 +234,6 @@ QString export_file_problem(const std::filesystem::path& file, const QString& ex
     return Export::tr("The name must end in %1, or other programs will not find the file.").arg(extension);
   }
   return {};
-}
-
-ExportRange range_of(const ExportPlan& plan, double duration_s) {
-  const ExportRange part{std::max(0.0, plan.begin_s), std::min(plan.end_s, duration_s)};
-  return part.begin_s < part.end_s ? part : ExportRange{0.0, duration_s};
-}
-
-Result<ExportResult> export_clip(const motion::Clip& whole, const ExportPlan& plan, const BvhWriter& write,
-                                 const Progress& progress) {
-  const ExportRange range = range_of(plan, whole.duration());
-  const bool all = range.duration_s() >= whole.duration();
-  const motion::Clip cut = all ? motion::Clip() : motion::trimmed(whole, range.begin_s, range.end_s);
-  const motion::Clip& clip = all ? whole : cut;
-  interchange::BvhWriteOptions options;
-  options.fps = plan.fps;
-  options.unit = plan.unit == ExportUnit::kMetres ? interchange::BvhUnit::kMetres : interchange::BvhUnit::kCentimetres;
-  // Beside the target, so that what is there stays until the new file is known to be good.
-  const std::filesystem::path part =
-      plan.file.parent_path() / ("." + plan.file.stem().string() + ".part" + plan.file.extension().string());
-  const PartFile part_file(part);
-  const Status written = write(clip, part, options, progress.part(0.0, 0.7));
-  if (!written) {
-    Error error = written.error();
-    if (error.place == part.string()) {
-      error.place = plan.file.string();
-    }
-    return error;
-  }
-  if (!progress.report(0.7, "checking")) {
-    return cancelled();
-  }
-  interchange::BvhReadOptions read;
-  read.metres_per_unit = plan.unit == ExportUnit::kMetres ? 1.0 : interchange::kMetresPerCentimetre;
-  const Result<motion::Clip> back = interchange::load_bvh(part, read);
-  if (!back) {
-    return Error{"the written file cannot be read back: " + back.error().message, plan.file.string(),
-                 "check the disk and export again"};
-  }
-  ExportResult result;
-  result.file = plan.file;
-  std::error_code error;
-  result.bytes = std::filesystem::file_size(part, error);
-  result.frames = back->joints.empty() ? 0 : back->joints.front().rotation.times.size();
-  result.bones = back->skeleton.segments.size();
-  result.fps = back->frame_rate_hz;
-  result.duration_s = back->duration();
-  const std::size_t wanted = motion::frame_count(clip.duration(), plan.fps);
-  if (result.frames != wanted || result.bones != clip.skeleton.segments.size()) {
-    return Error{"the written file has " + std::to_string(result.frames) + " frames and " +
-                     std::to_string(result.bones) + " bones instead of " + std::to_string(wanted) + " and " +
-                     std::to_string(clip.skeleton.segments.size()),
-                 plan.file.string(), "check the disk and export again"};
-  }
-  if (!progress.report(0.95, "checking")) {
-    return cancelled();
-  }
-  std::filesystem::rename(part, plan.file, error);
-  if (error) {
-    return Error{"cannot be written (" + error.message() + ")", plan.file.string(), "choose another name or folder"};
-  }
-  return result;
 }
 
 QString size_text(std::uintmax_t bytes) {

@@ -1,70 +1,90 @@
-/// What is exported how: formats, frame rates, file names, and the check of the written file. No widgets.
+/// What can be chosen for an export: formats, frame rates, presets, and the file's name. No widgets.
 #pragma once
 
+#include <QSettings>
 #include <QString>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "base/progress.h"
-#include "base/result.h"
-#include "interchange/bvh_writer.h"
-#include "motion/clip.h"
+#include "interchange/export_file.h"
 
 namespace limbwave::ui {
 
-enum class ExportUnit { kCentimetres, kMetres };
-
 struct ExportFormat {
-  QString id;         ///< "bvh"
-  QString title;      ///< "BVH"
-  QString extension;  ///< ".bvh"
-  QString hint;       ///< Who reads it.
+  interchange::FileFormat format;
+  QString id;         ///< "fbx": stable, for settings.
+  QString title;      ///< "FBX"
+  QString extension;  ///< ".fbx"
+  QString hint;       ///< What is in it and who reads it.
+  bool has_frames;    ///< Bones with axes of their own, meshes and keys; else one root, every frame, the world's axes.
+  bool has_unit;      ///< Lengths are in centimetres or metres as one likes.
 };
 
-/// Those that can be written now.
 std::vector<ExportFormat> export_formats();
+/// By id; the first one for unknown ids.
+ExportFormat export_format(const QString& id);
+/// The format that a file's ending means; empty: none.
+std::optional<ExportFormat> format_of_file(const std::filesystem::path& file);
 /// The usual frame rates, hertz, increasing.
 const std::vector<double>& export_rates();
 
 inline constexpr double kLowestRate = 1.0, kHighestRate = 1000.0;
+inline constexpr double kMostTolerance = 45.0;  ///< Degrees.
 
-struct ExportPlan {
-  std::filesystem::path file;
-  double fps = 60.0;
-  ExportUnit unit = ExportUnit::kCentimetres;
-  double begin_s = 0.0, end_s = 0.0;  ///< Part of the clip; end 0: all of it.
+enum class ExportRange { kAll, kVisible, kPart };
+enum class ExportBody { kMannequin, kOwnMesh, kNone };
+
+/// Where something is empty, the preset's own counts.
+struct ExportChoices {
+  std::string preset = "plain";
+  QString format = QStringLiteral("fbx");
+  double fps = 0.0;  ///< 0: as the motion has it.
+  ExportRange range = ExportRange::kAll;
+  double begin_s = 0.0, end_s = 0.0;  ///< For kPart, time of the clip.
+  std::optional<motion::RootMotion> root_motion;
+  std::optional<interchange::RestPose> rest;
+  std::optional<bool> rest_frame;
+  std::optional<std::string> bone_map;  ///< Empty name: bones keep their own.
+  std::optional<interchange::FileUnit> unit;
+  double key_tolerance_deg = 0.0;
+  ExportBody body = ExportBody::kMannequin;
+  std::filesystem::path mesh;  ///< For kOwnMesh.
+  bool operator==(const ExportChoices&) const = default;
 };
 
-struct ExportRange {
-  double begin_s = 0.0, end_s = 0.0;
-  [[nodiscard]] double duration_s() const { return end_s - begin_s; }
+/// A preset file, shipped or the user's own; without `preset` it could not be read, and `error` says why.
+struct PresetEntry {
+  std::string name;
+  std::optional<interchange::Preset> preset;
+  std::optional<Error> error;
+  bool own = false;
 };
-/// The plan's part of a clip of that duration; all of it when the plan's is empty or beyond its end.
-ExportRange range_of(const ExportPlan& plan, double duration_s);
+/// All that are there now, "plain" first.
+std::vector<PresetEntry> read_presets();
 
-/// What a written file holds, read back from the file itself.
-struct ExportResult {
-  std::filesystem::path file;
-  std::uintmax_t bytes = 0;
-  std::size_t frames = 0;
-  std::size_t bones = 0;
-  double fps = 0.0;
-  double duration_s = 0.0;
-};
+/// The preset with what the choices say otherwise, as the format can hold it.
+interchange::Preset effective_preset(const ExportChoices& choices, const interchange::Preset& preset);
+/// What the core is asked for. `begin_s`, `end_s`: the range in seconds of the clip.
+interchange::ExportOptions export_options(const ExportChoices& choices, const interchange::Preset& preset,
+                                          double begin_s, double end_s);
 
-/// TAKE's parent folder / TAKE.bvh; another solve than "default" adds its name.
-std::filesystem::path default_export_file(const std::filesystem::path& take_folder, const std::string& solve,
+/// What was chosen for this preset last time; for a new one the format stays if the program reads it, and everything
+/// else is as the preset has it. Ranges are not remembered: they belong to a clip.
+ExportChoices remembered_choices(QSettings& settings, const std::string& preset, const QString& format);
+void remember_choices(QSettings& settings, const ExportChoices& choices);
+/// The preset that was used last; "plain" at first.
+std::string remembered_preset(const QSettings& settings);
+
+/// STEM with the format's ending beside `origin` (a take's folder or an animation); never `origin` itself. Another
+/// solve than "default" adds its name.
+std::filesystem::path default_export_file(const std::filesystem::path& origin, const std::string& solve,
                                           const QString& extension);
+/// The file with the ending of another format; endings of no format stay where they are, in front.
+QString with_extension(const QString& file, const QString& extension);
 /// Why this file cannot be written, before trying; empty: it can.
 QString export_file_problem(const std::filesystem::path& file, const QString& extension);
-
-using BvhWriter = std::function<Status(const motion::Clip&, const std::filesystem::path&,
-                                       const interchange::BvhWriteOptions&, const Progress&)>;
-
-/// Writes the plan's part, reads back and compares: frame count, bones, rate. Fails with what is wrong; then no new
-/// file is left.
-Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& plan, const BvhWriter& write,
-                                 const Progress& progress);
 
 /// "1.2 MB", "640 kB"
 QString size_text(std::uintmax_t bytes);

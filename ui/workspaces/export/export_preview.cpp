@@ -3,9 +3,13 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
 #include <QTimer>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "common/format.h"
@@ -13,81 +17,113 @@
 #include "common/widgets.h"
 #include "interchange/names.h"
 #include "viewer/viewer_widget.h"
-#include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui {
 
 namespace {
 
 constexpr int kTreeHeight = 20 * kGrid;
+constexpr int kInstants = 60;  // At which the way of the figure is looked at.
 
 // People count from 1.
 QString counted(std::size_t index) {
   return QLocale().toString(qulonglong(index + 1));
 }
 
+QString count(std::size_t number) {
+  return QLocale().toString(qulonglong(number));
+}
+
+std::vector<Eigen::Vector3d> extent(const PreparedExport& prepared) {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<body::SegmentPose> poses;
+  for (int i = 0; i < kInstants; ++i) {
+    prepared.pose_at(prepared.lead_s + (prepared.report.duration_s - prepared.lead_s) * i / (kInstants - 1), poses);
+    for (std::size_t s = 0; s < poses.size(); ++s) {
+      points.push_back(poses[s].p_WL);
+      points.emplace_back(poses[s].p_WL + poses[s].R_WL * Eigen::Vector3d(prepared.skeleton.segments[s].length, 0, 0));
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
-ExportPreview::ExportPreview(StudioContext& context, SolveModel& model, QWidget* parent)
-    : QWidget(parent), context_(context), model_(model) {
+ExportPreview::ExportPreview(StudioContext& context, SolveModel& solves, ExportModel& model, QWidget* parent)
+    : QWidget(parent), context_(context), solves_(solves), model_(model) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   auto* card = new Card(tr("What will be written"), this);
   layout->addWidget(card);
-  picture_ = new QVBoxLayout;
-  picture_->setSpacing(kGrid / 2);
-  other_ = dim_label(tr("Only the open solve is shown here. Open this one in Solve to see it."), card);
-  other_->setAlignment(Qt::AlignCenter);
-  other_->setWordWrap(true);
-  at_ = dim_label({}, card);
-  at_->setFont(tabular(font()));
-  at_->setAlignment(Qt::AlignRight);
-  picture_->addWidget(other_, 1);
-  picture_->addWidget(at_);
-  card->body()->addLayout(picture_, 1);
-  auto* form = new QFormLayout;
-  form->setHorizontalSpacing(2 * kGrid);
-  form->setVerticalSpacing(kGrid / 2);
-  file_ = add_fact(form, tr("File"));
-  frames_ = add_fact(form, tr("Frames"));
-  range_ = add_fact(form, tr("Time"));
-  joints_ = add_fact(form, tr("Joints"));
-  unit_ = add_fact(form, tr("Lengths"));
-  card->body()->addLayout(form);
+  make_picture(card->body());
+  make_facts(card->body());
   tree_ = new QTreeWidget(card);
   tree_->setColumnCount(2);
-  tree_->setHeaderLabels({tr("Joint in the file"), tr("Bone length")});
+  tree_->setHeaderLabels({tr("Bone in the file"), tr("Length")});
   tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   tree_->header()->setStretchLastSection(false);
-  tree_->setAccessibleName(tr("Joints of the file"));
+  tree_->setAccessibleName(tr("Bones of the file"));
   tree_->setMinimumHeight(kTreeHeight / 3);
   tree_->setMaximumHeight(kTreeHeight);
   card->body()->addWidget(tree_);
+  follow();
+}
 
-  connect(&model_, &SolveModel::skeleton_changed, this, &ExportPreview::show_figure);
-  connect(&model_, &SolveModel::solve_changed, this, &ExportPreview::show_figure);
-  connect(&model_, &SolveModel::pose_changed, this, &ExportPreview::show_pose);
-  connect(&context_.time(), &TimeModel::playhead_changed, this, &ExportPreview::show_pose);
-  connect(&context_.selection(), &Selection::changed, this, [this] {
-    if (viewer_ != nullptr && context_.selection().item().kind == SelectionKind::kSegment) {
-      viewer_->select(context_.selection().item().index);
-    }
-  });
-  connect(tree_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
-    if (item != nullptr) {
-      context_.selection().select(SelectionKind::kSegment, item->data(0, Qt::UserRole).toInt());
-    }
-  });
+void ExportPreview::make_picture(QVBoxLayout* column) {
+  picture_ = new QVBoxLayout;
+  picture_->setSpacing(kGrid / 2);
+  instead_ = dim_label({}, this);
+  instead_->setAlignment(Qt::AlignCenter);
+  instead_->setWordWrap(true);
+  rest_ = new QPushButton(tr("Rest pose"), this);
+  rest_->setCheckable(true);
+  rest_->setToolTip(tr("Show how the skeleton of the file stands by itself"));
+  at_ = dim_label({}, this);
+  at_->setFont(tabular(font()));
+  auto* row = new QHBoxLayout;
+  row->addWidget(rest_);
+  row->addStretch();
+  row->addWidget(at_);
+  picture_->addWidget(instead_, 1);
+  picture_->addLayout(row);
+  column->addLayout(picture_, 1);
+}
+
+void ExportPreview::make_facts(QVBoxLayout* column) {
+  facts_ = new QFormLayout;
+  facts_->setHorizontalSpacing(2 * kGrid);
+  facts_->setVerticalSpacing(kGrid / 2);
+  file_ = add_fact(facts_, tr("File"));
+  frames_ = add_fact(facts_, tr("Frames"));
+  range_ = add_fact(facts_, tr("Time"));
+  actors_ = add_fact(facts_, tr("Actors"));
+  bones_ = add_fact(facts_, tr("Bones"));
+  keys_ = add_fact(facts_, tr("Keys"));
+  unit_ = add_fact(facts_, tr("Lengths"));
+  size_ = add_fact(facts_, tr("Size"));
+  column->addLayout(facts_);
 }
 
 QLabel* ExportPreview::add_fact(QFormLayout* form, const QString& name) {
   auto* value = new ElidedLabel({}, this);
   value->setFont(tabular(font()));
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  value->setAccessibleName(name);
   form->addRow(dim_label(name, this), value);
   return value;
+}
+
+void ExportPreview::follow() {
+  connect(&model_, &ExportModel::prepared_changed, this, &ExportPreview::show_prepared);
+  connect(&model_, &ExportModel::file_changed, this, &ExportPreview::show_facts);
+  connect(&context_.time(), &TimeModel::playhead_changed, this, &ExportPreview::show_pose);
+  connect(rest_, &QPushButton::toggled, this, &ExportPreview::show_pose);
+  connect(&context_.selection(), &Selection::changed, this, &ExportPreview::show_selection);
+  connect(tree_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+    if (item != nullptr) {
+      select_bone(item->data(0, Qt::UserRole).toInt());
+    }
+  });
 }
 
 void ExportPreview::set_active(bool active) {
@@ -97,103 +133,150 @@ void ExportPreview::set_active(bool active) {
     viewer_->setMinimumHeight(18 * kGrid);
     viewer_->setAccessibleName(tr("Preview of the file"));
     picture_->insertWidget(0, viewer_, 1);
-    connect(viewer_, &ViewerWidget::segment_clicked, this, [this](int segment) {
-      if (segment >= 0) {
-        context_.selection().select(SelectionKind::kSegment, segment);
+    connect(viewer_, &ViewerWidget::segment_clicked, this, [this](int bone) {
+      if (bone >= 0) {
+        select_bone(bone);
       }
     });
   }
-  show_figure();
+  show_prepared();
   if (active_) {
     QTimer::singleShot(0, viewer_, &ViewerWidget::frame_all);  // When the picture has its size.
   }
 }
 
-void ExportPreview::set_plan(const ExportPlan& plan, bool open) {
-  plan_ = plan;
-  open_ = open;
+void ExportPreview::show_prepared() {
+  if (!active_) {
+    return;
+  }
+  const auto& prepared = model_.prepared();
+  if (prepared != shown_) {
+    const bool other = prepared && (!shown_ || shown_->skeleton.segments.size() != prepared->skeleton.segments.size());
+    shown_ = prepared;
+    if (shown_) {
+      viewer_->set_skeleton(shown_->skeleton);
+      viewer_->set_extent(extent(*shown_));
+      show_bones();
+      show_selection();
+    }
+    if (other) {
+      QTimer::singleShot(0, viewer_, &ViewerWidget::frame_all);
+    }
+  }
   show_facts();
   show_pose();
 }
 
 void ExportPreview::show_facts() {
   const auto set = [](QLabel* label, const QString& text) { static_cast<ElidedLabel*>(label)->set_text(text); };
-  set(file_, QString::fromStdString(plan_.file.filename().string()));
-  set(unit_, plan_.unit == ExportUnit::kMetres ? tr("in metres") : tr("in centimetres"));
-  if (!model_.solve() || !open_) {
-    for (QLabel* label : {frames_, range_, joints_}) {
+  set(file_, QString::fromStdString(std::filesystem::path(model_.file().toStdString()).filename().string()));
+  tree_->setVisible(shown_ != nullptr);
+  if (!shown_) {
+    for (QLabel* label : {frames_, range_, actors_, bones_, keys_, unit_, size_}) {
       set(label, QStringLiteral("–"));
     }
-    tree_->hide();
     return;
   }
-  tree_->show();
-  const motion::Clip& clip = model_.solve()->clip;
-  const ExportRange range = range_of(plan_, clip.duration());
-  const QString rate = locale().toString(plan_.fps, 'g', 6);
-  set(frames_,
-      tr("%1 at %2 Hz").arg(locale().toString(qulonglong(motion::frame_count(range.duration_s(), plan_.fps))), rate));
-  set(range_, tr("%1, from %2 to %3")
-                  .arg(format_clock_tenths(range.duration_s()), format_clock_tenths(range.begin_s),
-                       format_clock_tenths(range.end_s)));
-  set(joints_, locale().toString(qulonglong(clip.skeleton.segments.size())));
-  show_joints();
+  const interchange::ExportReport& report = shown_->report;
+  set(frames_, tr("%1 at %2 Hz").arg(count(report.frames), locale().toString(report.fps, 'g', 6)));
+  const double begin = model_.begin_s(), duration = report.duration_s - shown_->lead_s;
+  set(range_,
+      tr("%1, from %2 to %3")
+              .arg(format_clock_tenths(duration), format_clock_tenths(begin), format_clock_tenths(begin + duration)) +
+          (shown_->lead_s > 0.0 ? tr(", behind one frame of rest") : QString()));
+  facts_->setRowVisible(actors_, report.actors > 1);
+  set(actors_, count(report.actors));
+  set(bones_, count(report.bones));
+  const bool fewer = report.keys_after < report.keys_before;
+  const QString left = count(report.keys_after);
+  set(keys_, !fewer ? left
+                    : tr("%1 of %2 (%3 %)")
+                          .arg(left, count(report.keys_before))
+                          .arg(std::lround(100.0 * static_cast<double>(report.keys_after) /
+                                           static_cast<double>(report.keys_before))));
+  set(unit_, model_.preset().preset
+                 ? tr("in %1").arg(unit_text(effective_preset(model_.choices(), *model_.preset().preset).unit))
+                 : QStringLiteral("–"));
+  set(size_, tr("about %1").arg(size_text(shown_->bytes)));
 }
 
-void ExportPreview::show_joints() {
-  const body::Skeleton& skeleton = model_.skeleton();
-  const double scale = plan_.unit == ExportUnit::kMetres ? 1.0 : 100.0;
-  const QString unit = plan_.unit == ExportUnit::kMetres ? tr("m") : tr("cm");
+void ExportPreview::show_bones() {
   const QSignalBlocker quiet(tree_);
   tree_->clear();
-  interchange::UniqueNames unique;  // As the writer names them.
+  const bool metres = !model_.preset().preset || effective_preset(model_.choices(), *model_.preset().preset).unit ==
+                                                     interchange::FileUnit::kMetres;
+  const bool plain = model_.choices().format == QLatin1String("bvh");
+  interchange::UniqueNames unique;  // As the writers name them.
   std::vector<QTreeWidgetItem*> items;
-  for (std::size_t i = 0; i < skeleton.segments.size(); ++i) {
-    const body::Segment& segment = skeleton.segments[i];
-    const auto parent = static_cast<std::size_t>(std::max(segment.parent, 0));
-    auto* item =
-        segment.parent >= 0 && parent < items.size() ? new QTreeWidgetItem(items[parent]) : new QTreeWidgetItem(tree_);
-    item->setText(0, QString::fromStdString(unique(interchange::plain_name(segment.name))));
-    item->setText(
-        1, QStringLiteral("%1 %2").arg(locale().toString(scale * segment.length, 'f', scale > 1.0 ? 1 : 3), unit));
+  for (const body::Segment& segment : shown_->skeleton.segments) {
+    auto* item = segment.parent < 0 ? new QTreeWidgetItem(tree_)
+                                    : new QTreeWidgetItem(items[static_cast<std::size_t>(segment.parent)]);
+    const std::string name = plain ? interchange::plain_name(segment.name) : segment.name;
+    item->setText(0, QString::fromStdString(unique(name)));
+    item->setText(1, metres ? tr("%1 m").arg(locale().toString(segment.length, 'f', 3))
+                            : tr("%1 cm").arg(locale().toString(100.0 * segment.length, 'f', 1)));
     item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-    item->setData(0, Qt::UserRole, static_cast<int>(i));
+    item->setData(0, Qt::UserRole, static_cast<int>(items.size()));
     items.push_back(item);
   }
   tree_->expandAll();
 }
 
-void ExportPreview::show_figure() {
-  if (viewer_ != nullptr && model_.solve()) {
-    viewer_->set_skeleton(model_.skeleton());
-    viewer_->set_extent(motion_extent(model_.solve()->clip, 60));
+int ExportPreview::bones_before() const {
+  return shown_ && !shown_->clips.empty() ? static_cast<int>(shown_->clips.front().skeleton.segments.size()) -
+                                                static_cast<int>(solves_.skeleton().segments.size())
+                                          : 0;
+}
+
+void ExportPreview::select_bone(int bone) {
+  viewer_->select(bone);
+  const ExportSource* source = model_.sources().source();
+  const int segment = bone - bones_before();
+  if (source != nullptr && source->kind == ExportSource::Kind::kOpenSolve && segment >= 0 &&
+      segment < static_cast<int>(solves_.skeleton().segments.size())) {
+    context_.selection().select(SelectionKind::kSegment, segment);
   }
-  if (active_) {
-    show_facts();
-    show_pose();
+}
+
+void ExportPreview::show_selection() {
+  const ExportSource* source = model_.sources().source();
+  const int segment = context_.selection().index_of(SelectionKind::kSegment);
+  if (viewer_ != nullptr && shown_ && segment >= 0 && source != nullptr &&
+      source->kind == ExportSource::Kind::kOpenSolve) {
+    viewer_->select(segment + bones_before());
   }
 }
 
 void ExportPreview::show_pose() {
-  const bool shown = open_ && model_.solve() != nullptr;
-  other_->setVisible(!open_);
-  at_->setVisible(shown);
+  instead_->setVisible(!shown_);
+  at_->setVisible(shown_ != nullptr);
+  rest_->setVisible(shown_ != nullptr);
   if (viewer_ != nullptr) {
-    viewer_->setVisible(shown);
+    viewer_->setVisible(shown_ != nullptr);
   }
-  if (!active_ || !shown) {
+  if (!shown_) {
+    instead_->setText(model_.preparing() != nullptr ? tr("The preview is being made.")
+                                                    : tr("There is no preview of these choices."));
     return;
   }
-  const ExportRange range = range_of(plan_, model_.solve()->clip.duration());
-  const std::size_t last = motion::frame_count(range.duration_s(), plan_.fps) - 1;
-  // The file stands still between its frames; a little is added for times that lie on one.
-  const double passed = std::max(0.0, context_.time().playhead_s() - range.begin_s);
-  frame_ = std::min(last, static_cast<std::size_t>(std::floor(passed * plan_.fps + 1e-6)));
-  at_->setText(tr("Frame %1 of %2").arg(counted(frame_), counted(last)));
-  if (viewer_ != nullptr) {
-    model_.pose_at(range.begin_s + static_cast<double>(frame_) / plan_.fps, poses_);
-    viewer_->set_pose(poses_);
+  if (!active_) {
+    return;
   }
+  // The file stands still between its frames; a little is added for times that lie on one.
+  const double passed = std::max(0.0, context_.time().playhead_s() - model_.begin_s()) + shown_->lead_s;
+  const std::size_t last = std::max<std::size_t>(1, shown_->report.frames) - 1;
+  frame_ = std::min(last, static_cast<std::size_t>(std::floor(passed * shown_->report.fps + 1e-6)));
+  const double time = static_cast<double>(frame_) / shown_->report.fps;
+  if (rest_->isChecked()) {
+    at_->setText(tr("At rest"));
+    shown_->rest_pose(poses_);
+  } else {
+    const double end = shown_->clips.front().duration();
+    at_->setText(shown_->partial && time > end ? tr("Very long: the picture ends at %1").arg(format_clock(end))
+                                               : tr("Frame %1 of %2").arg(counted(frame_), counted(last)));
+    shown_->pose_at(time, poses_);
+  }
+  viewer_->set_pose(poses_);
 }
 
 }  // namespace limbwave::ui

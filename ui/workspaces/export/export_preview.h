@@ -1,14 +1,13 @@
-/// What an export is going to write: the figure frame by frame as the file will have it, its facts and its joints.
+/// What an export is going to write: the figure frame by frame as the file will have it, its facts and its bones.
 #pragma once
 
 #include <QWidget>
-#include <optional>
 
-#include "workspaces/export/export_plan.h"
-#include "workspaces/solve/solve_model.h"
+#include "workspaces/export/export_model.h"
 
 class QFormLayout;
 class QLabel;
+class QPushButton;
 class QTreeWidget;
 class QVBoxLayout;
 
@@ -19,10 +18,8 @@ class ViewerWidget;
 class ExportPreview : public QWidget {
   Q_OBJECT
  public:
-  ExportPreview(StudioContext& context, SolveModel& model, QWidget* parent = nullptr);
+  ExportPreview(StudioContext& context, SolveModel& solves, ExportModel& model, QWidget* parent = nullptr);
 
-  /// `open`: the plan is for the solve that is open, with its edits; others are not loaded just to be shown.
-  void set_plan(const ExportPlan& plan, bool open);
   /// Pictures cost: they are made from the first time that somebody looks.
   void set_active(bool active);
 
@@ -32,22 +29,33 @@ class ExportPreview : public QWidget {
   [[nodiscard]] std::size_t frame() const { return frame_; }
 
  private:
+  void make_picture(QVBoxLayout* column);
+  void make_facts(QVBoxLayout* column);
   QLabel* add_fact(QFormLayout* form, const QString& name);
+  void follow();
+  void show_prepared();
   void show_facts();
-  void show_joints();
-  void show_figure();
+  void show_bones();
   void show_pose();
+  void show_selection();
+  void select_bone(int bone);
+  /// Bones in front of the open solve's own in the file: a root bone.
+  [[nodiscard]] int bones_before() const;
 
   StudioContext& context_;
-  SolveModel& model_;
-  ExportPlan plan_;
-  bool open_ = true, active_ = false;
+  SolveModel& solves_;
+  ExportModel& model_;
+  bool active_ = false;
   std::size_t frame_ = 0;
   ViewerWidget* viewer_ = nullptr;
   QVBoxLayout* picture_ = nullptr;
-  QLabel *other_ = nullptr, *at_ = nullptr;
-  QLabel *file_ = nullptr, *frames_ = nullptr, *range_ = nullptr, *joints_ = nullptr, *unit_ = nullptr;
+  QLabel *instead_ = nullptr, *at_ = nullptr;
+  QPushButton* rest_ = nullptr;
+  QFormLayout* facts_ = nullptr;
+  QLabel *file_ = nullptr, *frames_ = nullptr, *range_ = nullptr, *actors_ = nullptr, *bones_ = nullptr,
+         *keys_ = nullptr, *unit_ = nullptr, *size_ = nullptr;
   QTreeWidget* tree_ = nullptr;
+  std::shared_ptr<const PreparedExport> shown_;
   std::vector<body::SegmentPose> poses_;
 };
 

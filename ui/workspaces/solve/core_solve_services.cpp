@@ -23,7 +23,7 @@ SolveServices core_solve_services() {
     return std::optional<evaluate::Truth>(std::move(truth).value());
   };
   services.evaluate = evaluate::evaluate;
-  services.write_bvh = interchange::write_bvh;
+  services.export_file = interchange::export_file;
   return services;
 }
 

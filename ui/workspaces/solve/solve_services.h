@@ -4,13 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/evaluate.h"
-#include "interchange/bvh_writer.h"
+#include "interchange/export_file.h"
 #include "solve/solve.h"
 #include "take/take.h"
 
@@ -29,9 +30,9 @@ struct SolveServices {
   std::function<Result<std::optional<evaluate::Truth>>(const take::Take&)> load_truth;
   std::function<Result<evaluate::Evaluation>(const motion::Clip&, double clip_start_s, const evaluate::Truth&)>
       evaluate;
-  std::function<Status(const motion::Clip&, const std::filesystem::path&, const interchange::BvhWriteOptions&,
-                       const Progress&)>
-      write_bvh;
+  std::function<Result<interchange::ExportReport>(std::span<const motion::Clip* const>, const std::filesystem::path&,
+                                                  const interchange::ExportOptions&, const Progress&)>
+      export_file;
 };
 
 /// The real ones.
