@@ -27,7 +27,7 @@ constexpr int kInstants = 60;  // At which the way of the figure is looked at.
 
 // People count from 1.
 QString counted(std::size_t index) {
-  return QLocale().toString(qulonglong(index + 1));
+  return QLocale().toString(qulonglong{index} + 1);
 }
 
 QString count(std::size_t number) {
