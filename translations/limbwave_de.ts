@@ -723,20 +723,12 @@
         <translation>steht nicht senkrecht auf der ersten Pose</translation>
     </message>
     <message>
-        <source>is &quot;%1&quot;, which another accelerometer has already</source>
-        <translation>ist „%1“, so heißt schon ein anderer Beschleunigungssensor</translation>
-    </message>
-    <message>
         <source>has %1 entries, but %2 slots carry %3 sensors</source>
         <translation>hat %1 Einträge, aber %2 Zeitfächer tragen %3 Sensoren</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which is no segment of skeleton &quot;%2&quot;</source>
         <translation>ist „%1“, das ist kein Segment des Skeletts „%2“</translation>
-    </message>
-    <message>
-        <source>%1: /accelerometers/%2/segment</source>
-        <translation>%1: /accelerometers/%2/segment</translation>
     </message>
     <message>
         <source>name one of its segments</source>
@@ -1790,6 +1782,66 @@
         <source>the take&apos;s own %1 calibration is poor: %2</source>
         <translation>die eigene %1-Kalibrierung des Takes ist schlecht: %2</translation>
     </message>
+    <message>
+        <source>is more than 10 m off</source>
+        <translation>ist mehr als 10 m entfernt</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which another %2 has already</source>
+        <translation>ist „%1“, so heißt schon ein anderes Element (%2)</translation>
+    </message>
+    <message>
+        <source>has a pulse_hz of %1, too close to half the sample rate</source>
+        <translation>hat pulse_hz %1, zu nah an der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>use a rate_hz of at least 2.5 times pulse_hz</source>
+        <translation>rate_hz muss mindestens das 2,5-Fache von pulse_hz sein</translation>
+    </message>
+    <message>
+        <source>has pulses longer than half a slot</source>
+        <translation>hat Pulse, die länger als ein halber Zeitschlitz sind</translation>
+    </message>
+    <message>
+        <source>use fewer pulse_cycles or more slot_samples</source>
+        <translation>weniger pulse_cycles oder mehr slot_samples verwenden</translation>
+    </message>
+    <message>
+        <source>has %1 entries, but %2 microphones have a wire each</source>
+        <translation>hat %1 Einträge, aber %2 Mikrofone haben je eine Leitung</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, but the microphone of this wire is &quot;%2&quot;</source>
+        <translation>ist „%1“, aber das Mikrofon dieser Leitung ist „%2“</translation>
+    </message>
+    <message>
+        <source>%1: /%2/%3/segment</source>
+        <translation>%1: /%2/%3/segment</translation>
+    </message>
+    <message>
+        <source>stands beside line_in</source>
+        <translation>steht neben line_in</translation>
+    </message>
+    <message>
+        <source>a rig has one or the other</source>
+        <translation>ein Rig hat das eine oder das andere</translation>
+    </message>
+    <message>
+        <source>has %1 entries</source>
+        <translation>hat %1 Einträge</translation>
+    </message>
+    <message>
+        <source>a driver box has 1 to 64 wires</source>
+        <translation>eine Treiberbox hat 1 bis 64 Leitungen</translation>
+    </message>
+    <message>
+        <source>a driver box has up to 64 sources</source>
+        <translation>eine Treiberbox hat bis zu 64 Quellen</translation>
+    </message>
+    <message>
+        <source>lies more than 10 m off</source>
+        <translation>liegt mehr als 10 m entfernt</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -1876,8 +1928,179 @@
         <translation>Der Name muss auf %1 enden, sonst finden andere Programme die Datei nicht.</translation>
     </message>
     <message>
-        <source>Skeleton and motion as text, for Blender, Maya, MotionBuilder and others</source>
-        <translation>Skelett und Bewegung als Text, für Blender, Maya, MotionBuilder und andere</translation>
+        <source>FBX</source>
+        <translation>FBX</translation>
+    </message>
+    <message>
+        <source>Skeleton, motion and skinned body; Blender, Maya, MotionBuilder, Unreal and Unity read it</source>
+        <translation>Skelett, Bewegung und Körper; lesbar für Blender, Maya, MotionBuilder, Unreal und Unity</translation>
+    </message>
+    <message>
+        <source>glTF, binary (.glb)</source>
+        <translation>glTF, binär (.glb)</translation>
+    </message>
+    <message>
+        <source>Skeleton, motion and skinned body in one file; Blender, Unreal and web viewers read it</source>
+        <translation>Skelett, Bewegung und Körper in einer Datei; lesbar für Blender, Unreal und Webseiten</translation>
+    </message>
+    <message>
+        <source>glTF, text (.gltf)</source>
+        <translation>glTF, Text (.gltf)</translation>
+    </message>
+    <message>
+        <source>The same as readable JSON, a third larger</source>
+        <translation>Dasselbe als lesbares JSON, ein Drittel größer</translation>
+    </message>
+    <message>
+        <source>VRM 1.0 (.vrm)</source>
+        <translation>VRM 1.0 (.vrm)</translation>
+    </message>
+    <message>
+        <source>An avatar with its bones marked, for VRM viewers</source>
+        <translation>Ein Avatar mit gekennzeichneten Knochen für VRM-Programme</translation>
+    </message>
+    <message>
+        <source>One skeleton and its motion as text, without a body; Blender and MotionBuilder read it</source>
+        <translation>Ein Skelett und seine Bewegung als Text, ohne Körper; lesbar für Blender und MotionBuilder</translation>
+    </message>
+    <message>
+        <source>CSV, poses as a table</source>
+        <translation>CSV, Posen als Tabelle</translation>
+    </message>
+    <message>
+        <source>Where every bone is in every frame, for spreadsheets and scripts</source>
+        <translation>Wo jeder Knochen in jedem Bild ist, für Tabellen und Skripte</translation>
+    </message>
+</context>
+<context>
+    <name>ExportWords</name>
+    <message>
+        <source>%1 (your own)</source>
+        <translation>%1 (eigene)</translation>
+    </message>
+    <message>
+        <source>in place</source>
+        <translation>auf der Stelle</translation>
+    </message>
+    <message>
+        <source>on the root bone</source>
+        <translation>auf dem Wurzelknochen</translation>
+    </message>
+    <message>
+        <source>free, on the hips</source>
+        <translation>frei, auf der Hüfte</translation>
+    </message>
+    <message>
+        <source>T-pose</source>
+        <translation>T-Pose</translation>
+    </message>
+    <message>
+        <source>as captured</source>
+        <translation>wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Metern</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimetern</translation>
+    </message>
+    <message>
+        <source>Bones keep their names.</source>
+        <translation>Die Knochen behalten ihre Namen.</translation>
+    </message>
+    <message>
+        <source>Bones are named as in %1.</source>
+        <translation>Die Knochen heißen wie in %1.</translation>
+    </message>
+    <message>
+        <source>Every bone has the world&apos;s axes.</source>
+        <translation>Jeder Knochen hat die Achsen der Welt.</translation>
+    </message>
+    <message>
+        <source>Every bone points along its own %1 axis.</source>
+        <translation>Jeder Knochen zeigt entlang seiner eigenen %1-Achse.</translation>
+    </message>
+    <message>
+        <source>Bones keep their axes.</source>
+        <translation>Die Knochen behalten ihre Achsen.</translation>
+    </message>
+    <message>
+        <source>At rest the figure stands in a T-pose.</source>
+        <translation>In Ruhe steht die Figur in der T-Pose.</translation>
+    </message>
+    <message>
+        <source>The rest pose stays as captured.</source>
+        <translation>Die Ruhepose bleibt wie aufgenommen.</translation>
+    </message>
+    <message>
+        <source>At rest the soles are at height 0.</source>
+        <translation>In Ruhe sind die Sohlen auf Höhe 0.</translation>
+    </message>
+    <message>
+        <source>Frame 0 shows the rest pose; the motion starts on frame 1.</source>
+        <translation>Bild 0 zeigt die Ruhepose; die Bewegung beginnt mit Bild 1.</translation>
+    </message>
+    <message>
+        <source>The hips hang on a bone “%1”, which goes the way over the floor.</source>
+        <translation>Die Hüfte hängt an einem Knochen „%1“, der den Weg über den Boden geht.</translation>
+    </message>
+    <message>
+        <source>The hips hang on a bone “%1” at the origin.</source>
+        <translation>Die Hüfte hängt an einem Knochen „%1“ im Ursprung.</translation>
+    </message>
+    <message>
+        <source>The way over the floor is taken out: the figure moves in place.</source>
+        <translation>Der Weg über den Boden ist herausgenommen: Die Figur bewegt sich auf der Stelle.</translation>
+    </message>
+    <message>
+        <source>The hips go the way over the floor.</source>
+        <translation>Die Hüfte geht den Weg über den Boden.</translation>
+    </message>
+    <message>
+        <source>Lengths are in %1.</source>
+        <translation>Längen sind in %1.</translation>
+    </message>
+    <message>
+        <source>The %1 bones that the program asks for must be there.</source>
+        <translation>Die %1 Knochen, die das Programm verlangt, müssen da sein.</translation>
+    </message>
+    <message>
+        <source>%1 does not open %2 files by itself. Choose %3 for it.</source>
+        <translation>%1 öffnet %2-Dateien nicht von sich aus. Dafür %3 wählen.</translation>
+    </message>
+    <message>
+        <source>Blender keeps its own frame rate unless “Update Scene FPS” is on in its BVH import.</source>
+        <translation>Blender behält seine eigene Bildrate, wenn beim BVH-Import „Update Scene FPS“ nicht an ist.</translation>
+    </message>
+    <message>
+        <source>Viewers refuse a .vrm without the bones and the T-pose of the VRM 1.0 preset.</source>
+        <translation>Programme weisen eine .vrm ohne die Knochen und die T-Pose der Vorgabe VRM 1.0 zurück.</translation>
+    </message>
+    <message>
+        <source>Unreal Engine refuses bones without a body. Keep the mannequin.</source>
+        <translation>Unreal Engine weist Knochen ohne Körper zurück. Die Gliederpuppe behalten.</translation>
+    </message>
+    <message>
+        <source>Most programs make empties instead of bones of a glTF file without a body.</source>
+        <translation>Die meisten Programme machen aus einer glTF-Datei ohne Körper leere Objekte statt Knochen.</translation>
+    </message>
+    <message>
+        <source>Unreal Engine counts in centimetres: in metres the figure arrives 100 times too small.</source>
+        <translation>Unreal Engine rechnet in Zentimetern: In Metern kommt die Figur 100-mal zu klein an.</translation>
+    </message>
+    <message>
+        <source>%1 finds the joints of a character by the T-pose on frame 0.</source>
+        <translation>%1 findet die Gelenke einer Figur an der T-Pose in Bild 0.</translation>
+    </message>
+    <message>
+        <source>The bones do not look like a person&apos;s: they keep their names and their rest pose.</source>
+        <translation>Die Knochen sehen nicht nach einem Menschen aus: Sie behalten ihre Namen und ihre Ruhepose.</translation>
+    </message>
+    <message>
+        <source>The motion has %1 frames a second; the frames in between are interpolated.</source>
+        <translation>Die Bewegung hat %1 Bilder je Sekunde; die Bilder dazwischen sind interpoliert.</translation>
     </message>
 </context>
 <context>
@@ -2101,6 +2324,41 @@
     <message>
         <source>From the simulator</source>
         <translation>Aus dem Simulator</translation>
+    </message>
+</context>
+<context>
+    <name>Preset</name>
+    <message>
+        <source>Bones lie along their own y, as Blender draws them; metarig names with .L and .R.</source>
+        <translation>Knochen liegen entlang ihrer y-Achse, wie Blender sie zeichnet; Metarig-Namen mit .L und .R.</translation>
+    </message>
+    <message>
+        <source>HumanIK names, joints along x, T-pose on frame 0 for characterising.</source>
+        <translation>HumanIK-Namen, Gelenke entlang x, T-Pose in Bild 0 für die Charakterisierung.</translation>
+    </message>
+    <message>
+        <source>HumanIK names, T-pose on frame 0, one reference above the hips.</source>
+        <translation>HumanIK-Namen, T-Pose in Bild 0, eine Referenz über der Hüfte.</translation>
+    </message>
+    <message>
+        <source>Everything as it was captured: own names, own rest pose, centimetres.</source>
+        <translation>Alles wie aufgenommen: eigene Namen, eigene Ruhepose, Zentimeter.</translation>
+    </message>
+    <message>
+        <source>Humanoid names, T-pose at rest, so that the avatar maps without help.</source>
+        <translation>Humanoid-Namen, T-Pose in Ruhe, damit sich der Avatar von allein zuordnet.</translation>
+    </message>
+    <message>
+        <source>Mannequin names under a single root, centimetres.</source>
+        <translation>Namen der Gliederpuppe unter einer einzigen Wurzel, Zentimeter.</translation>
+    </message>
+    <message>
+        <source>Required humanoid bones, T-pose at rest, soles at height 0, metres.</source>
+        <translation>Verlangte Humanoid-Knochen, T-Pose in Ruhe, Sohlen auf Höhe 0, Meter.</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Schlicht</translation>
     </message>
 </context>
 <context>
@@ -3116,14 +3374,382 @@
     </message>
 </context>
 <context>
+    <name>limbwave::ui::ExportFinish</name>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose where the file goes</source>
+        <translation>Wählen, wohin die Datei kommt</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the file, read it back and compare (Ctrl+E)</source>
+        <translation>Die Datei schreiben, zurücklesen und vergleichen (Strg+E)</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>The file exists. It is replaced when the new one is written and checked.</source>
+        <translation>Die Datei gibt es schon. Sie wird ersetzt, sobald die neue geschrieben und geprüft ist.</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+    <message>
+        <source>%1 (*%2)</source>
+        <translation>%1 (*%2)</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exportieren nach</translation>
+    </message>
+    <message>
+        <source>Written and read back: %1</source>
+        <translation>Geschrieben und zurückgelesen: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 frames at %3 Hz, %4, %5 bones, in %6</source>
+        <translation>%1, %2 Bilder mit %3 Hz, %4, %5 Knochen, in %6</translation>
+    </message>
+    <message>
+        <source>Every joint is where it belongs.</source>
+        <translation>Jedes Gelenk ist, wo es hingehört.</translation>
+    </message>
+    <message>
+        <source>Largest difference at any key: %1 mm, at %2.</source>
+        <translation>Größter Unterschied an allen Schlüsseln: %1 mm, bei %2.</translation>
+    </message>
+    <message>
+        <source>Export cancelled.</source>
+        <translation>Export abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; a file that was there before is as it was.</source>
+        <translation>Nichts wurde geschrieben; eine Datei, die schon da war, ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Not exported. %1</source>
+        <translation>Nicht exportiert. %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ExportModel</name>
+    <message>
+        <source>Preparing the preview</source>
+        <translation>Die Vorschau wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>A file of this format holds one actor. Choose FBX or glTF, or remove the others.</source>
+        <translation>Eine Datei dieses Formats fasst eine Person. FBX oder glTF wählen oder die anderen entfernen.</translation>
+    </message>
+    <message>
+        <source>Choose the mesh that is to be skinned.</source>
+        <translation>Das Netz wählen, das an die Knochen gebunden wird.</translation>
+    </message>
+    <message>
+        <source>The part ends before it begins.</source>
+        <translation>Der Ausschnitt endet, bevor er beginnt.</translation>
+    </message>
+    <message>
+        <source>This is the file that is being exported. Choose another name.</source>
+        <translation>Das ist die Datei, die exportiert wird. Einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ExportOptionsCard</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>As the preset: %1</source>
+        <translation>Wie die Vorgabe: %1</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Way over the floor</source>
+        <translation>Weg über den Boden</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhepose</translation>
+    </message>
+    <message>
+        <source>Rest pose on frame 0</source>
+        <translation>Ruhepose in Bild 0</translation>
+    </message>
+    <message>
+        <source>Bone names</source>
+        <translation>Knochennamen</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Längeneinheit</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Keep all keys</source>
+        <translation>Alle Schlüssel behalten</translation>
+    </message>
+    <message>
+        <source>Leave out keys within</source>
+        <translation>Schlüssel weglassen bis</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Mannequin</source>
+        <translation>Gliederpuppe</translation>
+    </message>
+    <message>
+        <source>Your own mesh</source>
+        <translation>Eigenes Netz</translation>
+    </message>
+    <message>
+        <source>None, bones only</source>
+        <translation>Keiner, nur Knochen</translation>
+    </message>
+    <message>
+        <source>Choose mesh…</source>
+        <translation>Netz wählen …</translation>
+    </message>
+    <message>
+        <source>A .obj, .glb, .gltf or .fbx of a body; it is skinned to the bones by itself</source>
+        <translation>Ein Körper als .obj, .glb, .gltf oder .fbx; er wird von selbst an die Knochen gebunden</translation>
+    </message>
+    <message>
+        <source>Skinning</source>
+        <translation>Binden</translation>
+    </message>
+    <message>
+        <source>As the motion has it: %1 Hz</source>
+        <translation>Wie die Bewegung: %1 Hz</translation>
+    </message>
+    <message>
+        <source>As the motion has it</source>
+        <translation>Wie die Bewegung</translation>
+    </message>
+    <message>
+        <source>What the timeline shows (%1 to %2)</source>
+        <translation>Was die Zeitleiste zeigt (%1 bis %2)</translation>
+    </message>
+    <message>
+        <source>%1 frames a second</source>
+        <translation>%1 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Another rate</source>
+        <translation>Andere Rate</translation>
+    </message>
+    <message>
+        <source>Everything (%1)</source>
+        <translation>Alles (%1)</translation>
+    </message>
+    <message>
+        <source>From … to …</source>
+        <translation>Von … bis …</translation>
+    </message>
+    <message>
+        <source>Free, on the hips</source>
+        <translation>Frei, auf der Hüfte</translation>
+    </message>
+    <message>
+        <source>In place</source>
+        <translation>Auf der Stelle</translation>
+    </message>
+    <message>
+        <source>As captured</source>
+        <translation>Wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>T-pose</source>
+        <translation>T-Pose</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Lengths in %1 files are always in metres</source>
+        <translation>Längen in %1-Dateien sind immer in Metern</translation>
+    </message>
+    <message>
+        <source>Keys are left out as long as no joint turns by more than this</source>
+        <translation>Schlüssel werden weggelassen, solange sich kein Gelenk um mehr verdreht</translation>
+    </message>
+    <message>
+        <source>%1 files have every frame</source>
+        <translation>%1-Dateien haben jedes Bild</translation>
+    </message>
+    <message>
+        <source>%1 files have no body</source>
+        <translation>%1-Dateien haben keinen Körper</translation>
+    </message>
+    <message>
+        <source>No mesh is chosen</source>
+        <translation>Kein Netz gewählt</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Skin it</source>
+        <translation>Binden</translation>
+    </message>
+    <message>
+        <source>Skinning was stopped</source>
+        <translation>Das Binden wurde angehalten</translation>
+    </message>
+    <message>
+        <source>%1 vertices skinned</source>
+        <translation>%1 Punkte gebunden</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+    <message>
+        <source>Choose a mesh</source>
+        <translation>Ein Netz wählen</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.glb *.gltf *.fbx);;All files (*)</source>
+        <translation>Netze (*.obj *.glb *.gltf *.fbx);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ExportPresetCard</name>
+    <message>
+        <source>For</source>
+        <translation>Für</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What the preset sets</source>
+        <translation>Was die Vorgabe bestimmt</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Your own presets and bone names</source>
+        <translation>Eigene Vorgaben und Knochennamen</translation>
+    </message>
+    <message>
+        <source>Open the folder of your presets</source>
+        <translation>Ordner der eigenen Vorgaben öffnen</translation>
+    </message>
+    <message>
+        <source>Open the folder of your bone names</source>
+        <translation>Ordner der eigenen Knochennamen öffnen</translation>
+    </message>
+    <message>
+        <source>Read them again</source>
+        <translation>Neu einlesen</translation>
+    </message>
+    <message>
+        <source>This preset cannot be read; what is wrong with it stands below.</source>
+        <translation>Diese Vorgabe ist nicht lesbar; was daran falsch ist, steht unten.</translation>
+    </message>
+</context>
+<context>
     <name>limbwave::ui::ExportPreview</name>
     <message>
         <source>What will be written</source>
         <translation>Was geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Only the open solve is shown here. Open this one in Solve to see it.</source>
-        <translation>Hier wird nur die offene Berechnung gezeigt. Öffnen Sie diese unter „Berechnen“, um sie zu sehen.</translation>
     </message>
     <message>
         <source>File</source>
@@ -3138,36 +3764,12 @@
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Joints</source>
-        <translation>Gelenke</translation>
-    </message>
-    <message>
         <source>Lengths</source>
         <translation>Längen</translation>
     </message>
     <message>
-        <source>Joint in the file</source>
-        <translation>Gelenk in der Datei</translation>
-    </message>
-    <message>
-        <source>Bone length</source>
-        <translation>Knochenlänge</translation>
-    </message>
-    <message>
-        <source>Joints of the file</source>
-        <translation>Gelenke der Datei</translation>
-    </message>
-    <message>
         <source>Preview of the file</source>
         <translation>Vorschau der Datei</translation>
-    </message>
-    <message>
-        <source>in metres</source>
-        <translation>in Metern</translation>
-    </message>
-    <message>
-        <source>in centimetres</source>
-        <translation>in Zentimetern</translation>
     </message>
     <message>
         <source>%1 at %2 Hz</source>
@@ -3178,16 +3780,158 @@
         <translation>%1, von %2 bis %3</translation>
     </message>
     <message>
-        <source>m</source>
-        <translation>m</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
         <source>Frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>Bone in the file</source>
+        <translation>Knochen in der Datei</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Bones of the file</source>
+        <translation>Knochen der Datei</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhepose</translation>
+    </message>
+    <message>
+        <source>Show how the skeleton of the file stands by itself</source>
+        <translation>Zeigen, wie das Skelett der Datei von sich aus steht</translation>
+    </message>
+    <message>
+        <source>Actors</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>, behind one frame of rest</source>
+        <translation>, nach einem Bild in Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (%3 %)</source>
+        <translation>%1 von %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>The preview is being made.</source>
+        <translation>Die Vorschau entsteht.</translation>
+    </message>
+    <message>
+        <source>There is no preview of these choices.</source>
+        <translation>Zu dieser Auswahl gibt es keine Vorschau.</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>Very long: the picture ends at %1</source>
+        <translation>Sehr lang: das Bild endet bei %1</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ExportSourceCard</name>
+    <message>
+        <source>Animations (%1);;All files (*)</source>
+        <translation>Animationen (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Open animation…</source>
+        <translation>Animation öffnen …</translation>
+    </message>
+    <message>
+        <source>A .bvh, .fbx, .glb, .gltf or .vrm of another program, to look at it and to export it on</source>
+        <translation>Eine .bvh, .fbx, .glb, .gltf oder .vrm eines anderen Programms, zum Ansehen und Weitergeben</translation>
+    </message>
+    <message>
+        <source>Add actor</source>
+        <translation>Person dazu</translation>
+    </message>
+    <message>
+        <source>Somebody else who goes into the same file</source>
+        <translation>Noch jemand, der in dieselbe Datei kommt</translation>
+    </message>
+    <message>
+        <source>A take…</source>
+        <translation>Ein Take …</translation>
+    </message>
+    <message>
+        <source>An animation…</source>
+        <translation>Eine Animation …</translation>
+    </message>
+    <message>
+        <source>Other actors</source>
+        <translation>Weitere Personen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Open an animation</source>
+        <translation>Eine Animation öffnen</translation>
+    </message>
+    <message>
+        <source>Add a solved take (a folder that ends in .take)</source>
+        <translation>Einen berechneten Take hinzufügen (ein Ordner, der auf .take endet)</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ExportSourceList</name>
+    <message>
+        <source>%1 (open, with your edits)</source>
+        <translation>%1 (offen, mit Ihren Änderungen)</translation>
+    </message>
+    <message>
+        <source>%1, solve “%2”</source>
+        <translation>%1, Berechnung „%2“</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>%1 lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3 of %4)</source>
+        <translation>%1: %2 (%3 von %4)</translation>
     </message>
 </context>
 <context>
@@ -3195,74 +3939,6 @@
     <message>
         <source>Go to Solve</source>
         <translation>Zum Berechnen</translation>
-    </message>
-    <message>
-        <source>%1 frames a second</source>
-        <translation>%1 Bilder je Sekunde</translation>
-    </message>
-    <message>
-        <source>Another rate</source>
-        <translation>Andere Rate</translation>
-    </message>
-    <message>
-        <source> Hz</source>
-        <translation> Hz</translation>
-    </message>
-    <message>
-        <source>Frames a second</source>
-        <translation>Bilder je Sekunde</translation>
-    </message>
-    <message>
-        <source>Centimetres (most programs)</source>
-        <translation>Zentimeter (die meisten Programme)</translation>
-    </message>
-    <message>
-        <source>Metres (Blender&apos;s own)</source>
-        <translation>Meter (Blenders eigene)</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Wählen …</translation>
-    </message>
-    <message>
-        <source>Solve</source>
-        <translation>Berechnung</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Format</translation>
-    </message>
-    <message>
-        <source>Frame rate</source>
-        <translation>Bildrate</translation>
-    </message>
-    <message>
-        <source>Unit of length</source>
-        <translation>Längeneinheit</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Show in folder</source>
-        <translation>Im Ordner zeigen</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Ausgeben</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Write the file (Ctrl+E)</source>
-        <translation>Die Datei schreiben (Strg+E)</translation>
-    </message>
-    <message>
-        <source>No take is open</source>
-        <translation>Kein Take ist offen</translation>
     </message>
     <message>
         <source>The take is being solved</source>
@@ -3273,10 +3949,6 @@
         <translation>Noch ist nichts berechnet</translation>
     </message>
     <message>
-        <source>Open or capture one first.</source>
-        <translation>Öffnen Sie erst einen oder nehmen Sie einen auf.</translation>
-    </message>
-    <message>
         <source>It can be exported in a moment.</source>
         <translation>Er lässt sich gleich ausgeben.</translation>
     </message>
@@ -3285,64 +3957,16 @@
         <translation>Berechnen Sie erst den Take.</translation>
     </message>
     <message>
-        <source>%1 (open, with your edits)</source>
-        <translation>%1 (offen, mit Ihren Änderungen)</translation>
+        <source>Open animation…</source>
+        <translation>Animation öffnen …</translation>
     </message>
     <message>
-        <source>%1 frames, %2, %3 bones.</source>
-        <translation>%1 Bilder, %2, %3 Knochen.</translation>
+        <source>There is nothing to export yet</source>
+        <translation>Noch gibt es nichts zu exportieren</translation>
     </message>
     <message>
-        <source> The file exists and will be replaced.</source>
-        <translation> Die Datei gibt es schon; sie wird ersetzt.</translation>
-    </message>
-    <message>
-        <source>Export to</source>
-        <translation>Ausgeben nach</translation>
-    </message>
-    <message>
-        <source>%1 (*%2)</source>
-        <translation>%1 (*%2)</translation>
-    </message>
-    <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird ausgegeben</translation>
-    </message>
-    <message>
-        <source>Written and read back: %1</source>
-        <translation>Geschrieben und zurückgelesen: %1</translation>
-    </message>
-    <message>
-        <source>%1, %2 frames at %3 Hz, %4, %5 bones, in %6</source>
-        <translation>%1, %2 Bilder mit %3 Hz, %4, %5 Knochen, in %6</translation>
-    </message>
-    <message>
-        <source>Export cancelled.</source>
-        <translation>Ausgabe abgebrochen.</translation>
-    </message>
-    <message>
-        <source>No file was left behind.</source>
-        <translation>Es blieb keine Datei zurück.</translation>
-    </message>
-    <message>
-        <source>Not exported. %1</source>
-        <translation>Nicht ausgegeben. %1</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Ausschnitt</translation>
-    </message>
-    <message>
-        <source>Everything (%1)</source>
-        <translation>Alles (%1)</translation>
-    </message>
-    <message>
-        <source>What the timeline shows (%1 to %2)</source>
-        <translation>Was die Zeitleiste zeigt (%1 bis %2)</translation>
-    </message>
-    <message>
-        <source>%1, %2 left</source>
-        <translation>%1, noch %2</translation>
+        <source>Open or capture a take, or open an animation of another program (BVH, FBX or glTF).</source>
+        <translation>Einen Take öffnen oder aufnehmen oder eine Animation eines anderen Programms öffnen (BVH, FBX oder glTF).</translation>
     </message>
 </context>
 <context>
@@ -3886,6 +4510,10 @@
     <message>
         <source>Go on</source>
         <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Open animation…</source>
+        <translation>Animation öffnen …</translation>
     </message>
 </context>
 <context>
@@ -4730,6 +5358,10 @@
         <source>Quit</source>
         <translation>Beenden</translation>
     </message>
+    <message>
+        <source>Open an animation</source>
+        <translation>Eine Animation öffnen</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SignalStrip</name>
@@ -5282,6 +5914,10 @@
         <source>Making the demo take “%1”</source>
         <translation>Demo-Take „%1“ wird erzeugt</translation>
     </message>
+    <message>
+        <source>Open an animation</source>
+        <translation>Eine Animation öffnen</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::TakeDocument</name>
@@ -5496,10 +6132,6 @@
 <context>
     <name>limbwave::ui::WelcomePage</name>
     <message>
-        <source>Records what low-cost sensors on a body feel and turns it into animation for Blender, Maya and game engines.</source>
-        <translation>Nimmt auf, was preiswerte Sensoren am Körper spüren, und macht daraus Animation für Blender, Maya und Spiel-Engines.</translation>
-    </message>
-    <message>
         <source>New take</source>
         <translation>Neuer Take</translation>
     </message>
@@ -5524,16 +6156,28 @@
         <translation>Ein Ordner, der auf .take endet</translation>
     </message>
     <message>
-        <source>or drop recordings and takes anywhere on this window</source>
-        <translation>oder ziehen Sie Aufnahmen und Takes auf dieses Fenster</translation>
-    </message>
-    <message>
         <source>Recent takes</source>
         <translation>Letzte Takes</translation>
     </message>
     <message>
         <source>Try it without hardware</source>
         <translation>Ohne Hardware ausprobieren</translation>
+    </message>
+    <message>
+        <source>Records what low-cost sensors on a body feel and turns it into animation for Blender, Maya, MotionBuilder, Unreal and Unity.</source>
+        <translation>Nimmt auf, was günstige Sensoren am Körper spüren, und macht daraus Animation für Blender, Maya, MotionBuilder, Unreal und Unity.</translation>
+    </message>
+    <message>
+        <source>Open animation</source>
+        <translation>Animation öffnen</translation>
+    </message>
+    <message>
+        <source>BVH, FBX or glTF of another program, to look at it and to export it on</source>
+        <translation>BVH, FBX oder glTF eines anderen Programms, zum Ansehen und Weitergeben</translation>
+    </message>
+    <message>
+        <source>or drop recordings, takes and animations anywhere on this window</source>
+        <translation>oder Aufnahmen, Takes und Animationen irgendwo auf dieses Fenster ziehen</translation>
     </message>
 </context>
 <context>
@@ -5582,8 +6226,8 @@
         <translation>Bilder des berechneten TAKE in diesen Ordner schreiben und enden; braucht keinen Bildschirm.</translation>
     </message>
     <message>
-        <source>Take folder to open, or recordings to import.</source>
-        <translation>Take-Ordner zum Öffnen oder Aufnahmen zum Einlesen.</translation>
+        <source>Take folder or animation to open, or recordings to import.</source>
+        <translation>Take-Ordner oder Animation zum Öffnen oder Aufnahmen zum Importieren.</translation>
     </message>
 </context>
 </TS>

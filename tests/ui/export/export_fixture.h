@@ -35,12 +35,17 @@ struct ExportStudio {
   void drop(const QString& file) const {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(studio->window.get(), &enter);
     QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(studio->window.get(), &event);
   }
   bool open_animation(const QString& file) const {
     drop(file);
     const std::filesystem::path origin = file.toStdString();
+    if (studio->window->workspace(QStringLiteral("export")) == nullptr) {
+      return false;
+    }
     return QTest::qWaitFor(
                [&] {
                  const ExportSource* source = model().sources().source();

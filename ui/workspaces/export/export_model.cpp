@@ -115,9 +115,9 @@ void ExportModel::change(const ExportChoices& choices) {
     file_ = with_extension(file_, export_format(choices_.format).extension);
     Q_EMIT file_changed();
   }
+  touch();
   Q_EMIT choices_changed();
   suggest_file();
-  touch();
 }
 
 void ExportModel::set_file(const QString& file) {
@@ -176,9 +176,9 @@ ExportModel::Work ExportModel::work() const {
 
 void ExportModel::touch() {
   stale_ = true;
+  refusal_.reset();
   if (!has_source()) {
     prepared_.reset();
-    refusal_.reset();
     Q_EMIT prepared_changed();
   } else if (active_) {
     prepare_soon_.start();

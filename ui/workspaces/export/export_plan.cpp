@@ -206,6 +206,9 @@ std::filesystem::path default_export_file(const std::filesystem::path& origin, c
 
 QString with_extension(const QString& file, const QString& extension) {
   const std::filesystem::path path = file.toStdString();
+  if (file.endsWith(extension, Qt::CaseInsensitive)) {
+    return file;
+  }
   if (!path.has_filename() || !path.has_extension()) {
     return path.has_filename() ? file + extension : file;
   }

@@ -40,11 +40,11 @@ ExportPresetCard::ExportPresetCard(ExportModel& model, QWidget* parent)
   row->addWidget(presets_, 1);
   row->addWidget(make_menu());
   form->addRow(tr("Program"), row);
-  form->addRow(QString(), comment_);
-  form->addRow(QString(), facts_);
   form->addRow(tr("Format"), formats_);
-  form->addRow(QString(), format_hint_);
   body()->addLayout(form);
+  for (QLabel* label : {format_hint_, comment_, facts_}) {
+    body()->addWidget(label);
+  }
   connect(presets_, &QComboBox::currentIndexChanged, this,
           [this] { model_.choose_preset(presets_->currentData().toString().toStdString()); });
   connect(formats_, &QComboBox::currentIndexChanged, this, [this] {

@@ -1,6 +1,6 @@
 #include "workspaces/export/export_preview.h"
 
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -22,7 +22,7 @@ namespace limbwave::ui {
 
 namespace {
 
-constexpr int kTreeHeight = 20 * kGrid;
+constexpr int kTreeHeight = 15 * kGrid;
 constexpr int kInstants = 60;  // At which the way of the figure is looked at.
 
 // People count from 1.
@@ -64,7 +64,7 @@ ExportPreview::ExportPreview(StudioContext& context, SolveModel& solves, ExportM
   tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   tree_->header()->setStretchLastSection(false);
   tree_->setAccessibleName(tr("Bones of the file"));
-  tree_->setMinimumHeight(kTreeHeight / 3);
+  tree_->setMinimumHeight(kTreeHeight / 2);
   tree_->setMaximumHeight(kTreeHeight);
   card->body()->addWidget(tree_);
   follow();
@@ -91,25 +91,29 @@ void ExportPreview::make_picture(QVBoxLayout* column) {
 }
 
 void ExportPreview::make_facts(QVBoxLayout* column) {
-  facts_ = new QFormLayout;
-  facts_->setHorizontalSpacing(2 * kGrid);
-  facts_->setVerticalSpacing(kGrid / 2);
-  file_ = add_fact(facts_, tr("File"));
-  frames_ = add_fact(facts_, tr("Frames"));
-  range_ = add_fact(facts_, tr("Time"));
-  actors_ = add_fact(facts_, tr("Actors"));
-  bones_ = add_fact(facts_, tr("Bones"));
-  keys_ = add_fact(facts_, tr("Keys"));
-  unit_ = add_fact(facts_, tr("Lengths"));
-  size_ = add_fact(facts_, tr("Size"));
-  column->addLayout(facts_);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(2 * kGrid);
+  grid->setVerticalSpacing(kGrid / 2);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  file_ = add_fact(grid, tr("File"), 0, 0, true);
+  range_ = add_fact(grid, tr("Time"), 1, 0, true);
+  frames_ = add_fact(grid, tr("Frames"), 2, 0);
+  keys_ = add_fact(grid, tr("Keys"), 2, 1);
+  bones_ = add_fact(grid, tr("Bones"), 3, 0);
+  unit_ = add_fact(grid, tr("Lengths"), 3, 1);
+  size_ = add_fact(grid, tr("Size"), 4, 0);
+  actors_ = add_fact(grid, tr("Actors"), 4, 1);
+  actors_name_ = static_cast<QLabel*>(grid->itemAtPosition(4, 2)->widget());
+  column->addLayout(grid);
 }
 
-QLabel* ExportPreview::add_fact(QFormLayout* form, const QString& name) {
+QLabel* ExportPreview::add_fact(QGridLayout* grid, const QString& name, int row, int half, bool wide) {
   auto* value = new ElidedLabel({}, this);
   value->setFont(tabular(font()));
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  form->addRow(dim_label(name, this), value);
+  grid->addWidget(dim_label(name, this), row, 2 * half);
+  grid->addWidget(value, row, 2 * half + 1, 1, wide ? 3 : 1);
   return value;
 }
 
@@ -184,7 +188,8 @@ void ExportPreview::show_facts() {
       tr("%1, from %2 to %3")
               .arg(format_clock_tenths(duration), format_clock_tenths(begin), format_clock_tenths(begin + duration)) +
           (shown_->lead_s > 0.0 ? tr(", behind one frame of rest") : QString()));
-  facts_->setRowVisible(actors_, report.actors > 1);
+  actors_->setVisible(report.actors > 1);
+  actors_name_->setVisible(report.actors > 1);
   set(actors_, count(report.actors));
   set(bones_, count(report.bones));
   const bool fewer = report.keys_after < report.keys_before;

@@ -5,7 +5,7 @@
 
 #include "workspaces/export/export_model.h"
 
-class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QTreeWidget;
@@ -31,7 +31,8 @@ class ExportPreview : public QWidget {
  private:
   void make_picture(QVBoxLayout* column);
   void make_facts(QVBoxLayout* column);
-  QLabel* add_fact(QFormLayout* form, const QString& name);
+  /// A name and its value in a row of the grid, in its left or right half or (`wide`) in both.
+  QLabel* add_fact(QGridLayout* grid, const QString& name, int row, int half, bool wide = false);
   void follow();
   void show_prepared();
   void show_facts();
@@ -51,7 +52,7 @@ class ExportPreview : public QWidget {
   QVBoxLayout* picture_ = nullptr;
   QLabel *instead_ = nullptr, *at_ = nullptr;
   QPushButton* rest_ = nullptr;
-  QFormLayout* facts_ = nullptr;
+  QLabel* actors_name_ = nullptr;
   QLabel *file_ = nullptr, *frames_ = nullptr, *range_ = nullptr, *actors_ = nullptr, *bones_ = nullptr,
          *keys_ = nullptr, *unit_ = nullptr, *size_ = nullptr;
   QTreeWidget* tree_ = nullptr;
