@@ -2,10 +2,11 @@
 # Installs what is missing, builds, and opens the studio on a demo take. Without a display it runs the same demo through
 # the command line and says where it left the files and pictures; their folder is build/demo, or LIMBWAVE_DEMO_FOLDER.
 # Usage: packaging/run.sh [TAKE | RECORDING...]    a take to open, or recordings to import, instead of the demo
+# LIMBWAVE_PRESET names another preset of CMakePresets.json than "release".
 set -euo pipefail
 case ${1:-} in
   -h | --help)
-    sed -n '2,4s/^# //p' "$0"
+    sed -n '2,5s/^# //p' "$0"
     exit 0
     ;;
 esac
@@ -19,9 +20,10 @@ top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 packaging/install_dependencies.sh build run
 
-build=build/release
+preset=${LIMBWAVE_PRESET:-release}
+build=build/$preset
 mkdir -p "$build"
-[[ -f $build/build.ninja ]] || cmake --preset release >"$build/configure.log" 2>&1 || { cat "$build/configure.log"; exit 1; }
+[[ -f $build/build.ninja ]] || cmake --preset "$preset" >"$build/configure.log" 2>&1 || { cat "$build/configure.log"; exit 1; }
 echo "run.sh: building (minutes at the first start, seconds later)"
 cmake --build $build >"$build/build.log" 2>&1 || { tail -n 40 "$build/build.log"; echo "run.sh: the build failed; the whole log is $build/build.log" >&2; exit 1; }
 
