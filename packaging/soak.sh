@@ -7,9 +7,11 @@ minutes=${1:-30}
 top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 packaging/install_dependencies.sh build run test
-mkdir -p build/ci
-cmake --preset ci >build/ci/configure.log 2>&1 || { cat build/ci/configure.log; exit 1; }
-cmake --build build/ci --target limbwave test_record_kill test_take >build/ci/build.log 2>&1 || { tail -n 30 build/ci/build.log; exit 1; }
+preset=${LIMBWAVE_PRESET:-ci}  # another one of CMakePresets.json, already built
+build=build/$preset
+mkdir -p "$build"
+cmake --preset "$preset" >"$build/configure.log" 2>&1 || { cat "$build/configure.log"; exit 1; }
+cmake --build $build --target limbwave test_record_kill test_take >"$build/build.log" 2>&1 || { tail -n 30 "$build/build.log"; exit 1; }
 work=$(mktemp -d)
 recorder=
 trap '[[ -z $recorder ]] || kill "$recorder" 2>/dev/null; rm -rf "$work"' EXIT
@@ -17,7 +19,7 @@ export LIMBWAVE_RESOURCES="$top/resources" LIMBWAVE_HOME="$work/home"
 
 seconds=$((minutes * 30))
 echo "soak: recording $seconds s from the simulator"
-build/ci/app/cli/limbwave record "$work/long.take" --device simulator:walk --seconds $seconds >"$work/record.log" 2>&1 &
+$build/app/cli/limbwave record "$work/long.take" --device simulator:walk --seconds $seconds >"$work/record.log" 2>&1 &
 recorder=$!
 first=0
 last=0
@@ -35,8 +37,8 @@ wait $recorder || status=$?
 recorder=
 cat "$work/record.log"
 (( status == 0 )) || { echo "soak: the recording ended with exit status $status" >&2; exit 1; }
-build/ci/app/cli/limbwave verify "$work/long.take"
-build/ci/app/cli/limbwave info "$work/long.take" --json | python3 -c "
+$build/app/cli/limbwave verify "$work/long.take"
+$build/app/cli/limbwave info "$work/long.take" --json | python3 -c "
 import json, sys
 info = json.load(sys.stdin)
 lost = [e for e in info['events'] if e['kind'] in ('dropped', 'line-in.sync-lost')]
@@ -49,8 +51,8 @@ echo "soak: killed recordings for $seconds s"
 begin=$SECONDS
 rounds=0
 while (( SECONDS - begin < seconds )); do
-  build/ci/tests/take/test_take --gtest_filter='Killed*' --gtest_brief=1 >"$work/kill.log" 2>&1 || { cat "$work/kill.log"; exit 1; }
-  build/ci/tests/integration/test_record_kill --gtest_brief=1 >"$work/kill.log" 2>&1 || { cat "$work/kill.log"; exit 1; }
+  $build/tests/take/test_take --gtest_filter='Killed*' --gtest_brief=1 >"$work/kill.log" 2>&1 || { cat "$work/kill.log"; exit 1; }
+  $build/tests/integration/test_record_kill --gtest_brief=1 >"$work/kill.log" 2>&1 || { cat "$work/kill.log"; exit 1; }
   rounds=$((rounds + 1))
 done
 echo "soak: passed; $rounds rounds of killed recordings"

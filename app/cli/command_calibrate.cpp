@@ -160,6 +160,7 @@ void calibrate_limb(const Options& options, bool as_json, Console& console) {
   take::Take take = console.check(take::open_take(options.take));
   const body::Rig& rig = take.info.rig;
   check_groups(options, rig, console);
+  (void)wanted_sensors(rig, options.sensor, console);  // before the work of decoding
   const solve::DecodedTake decoded = console.check(solve::decode_take(take, {}, console.progress()));
   calibrate::RigCalibration calibration = present_calibration(take);
   if (!solve::is_measured(calibration)) {
