@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -22,7 +23,9 @@
 #include "ui/support/solve_fixture.h"
 #include "workspaces/solve/bone_card.h"
 #include "workspaces/solve/quality_card.h"
+#include "timeline/timeline_canvas.h"
 #include "workspaces/solve/settings_card.h"
+#include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui::testing {
 
@@ -45,15 +48,36 @@ class FakeCapture : public LiveBackend {
     return {};
   }
   void stop() override { end(); }
-  Status start_recording(const std::filesystem::path&, const std::string&) override { return {}; }
-  Result<take::Take> stop_recording() override { return take::Take{}; }
-  std::optional<take::TakeEvent> mark(const std::string&) override { return std::nullopt; }
+  Status start_recording(const std::filesystem::path& folder, const std::string&) override {
+    folder_ = folder;
+    recording_since_ = steady_now_s();
+    return {};
+  }
+  Result<take::Take> stop_recording() override {
+    take::Take take = made_up_take(QString::fromStdString(folder_.string()), 8.0);
+    take.info.segments.clear();
+    take.events = std::exchange(marks_, {});
+    recording_since_ = 0.0;
+    return take;
+  }
+  std::optional<take::TakeEvent> mark(const std::string& text) override {
+    const auto number = static_cast<std::int64_t>(marks_.size()) + 1;
+    marks_.push_back({SampleIndex{std::llround(48000.0 * (steady_now_s() - recording_since_))}, "marker", text, number});
+    return marks_.back();
+  }
   bool write_event(const take::TakeEvent&) override { return true; }
   void set_calibration(const calibrate::RigCalibration&) override {}
-  void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
+  void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) override {
+    const std::lock_guard lock(mutex_);
+    headings_ = headings;
+  }
   void on_figure(std::function<void()> told) override { told_ = std::move(told); }
   [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
-    return std::make_shared<solve::LiveSnapshot>();
+    auto shot = std::make_shared<solve::LiveSnapshot>();
+    shot->version = ++version_;
+    shot->recording = recording_since_ > 0.0;
+    shot->recorded_s = shot->recording ? steady_now_s() - recording_since_ : 0.0;
+    return shot;
   }
   [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const override {
     if (number_ == 0) {
@@ -63,8 +87,10 @@ class FakeCapture : public LiveBackend {
     made->number = number_;
     const std::vector<double> now{steady_now_s()};
     std::vector<body::Quaterniond> R;
+    const std::lock_guard lock(mutex_);
     for (const auto& list : made_up_motion(skeleton_, now)) {
-      R.push_back(list.front());
+      const double heading = R.size() < headings_.size() ? solve::heading_at(headings_[R.size()], 0.0) : 0.0;
+      R.push_back(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()) * list.front());
     }
     made->pose = body::poses_from_orientations(skeleton_, R, skeleton_.segments.front().p_PL);
     made->times.oldest_slot = now.front() - 0.017;
@@ -85,6 +111,12 @@ class FakeCapture : public LiveBackend {
   std::thread thread_;
   std::atomic<bool> running_{false};
   std::atomic<std::uint64_t> number_{0};
+  mutable std::mutex mutex_;
+  std::vector<std::vector<solve::HeadingKey>> headings_;
+  mutable std::atomic<std::uint64_t> version_{0};
+  std::atomic<double> recording_since_{0.0};
+  std::filesystem::path folder_;
+  std::vector<take::TakeEvent> marks_;
 };
 
 class SilentSource : public acquire::LiveSource {
@@ -538,6 +570,184 @@ class SolveWorkspaceTest : public QObject {
     save(QStringLiteral("solve-live"));
     studio_->context->live().close();
     QTRY_VERIFY(!workspace().shows_live());
+  }
+
+  void markers_on_the_timeline_go_through_undo() {
+    start();
+    take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), solving_->seconds);
+    take.events = {{SampleIndex{96000 + 48000}, "marker", "clap", 1}};
+    std::filesystem::create_directories(take.folder);
+    studio_->context->document().set(take);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    studio_->window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(studio_->window.get()));
+    MarkerModel& markers = studio_->context->markers();
+    auto* canvas = studio_->window->findChild<TimelineCanvas*>();
+    QVERIFY(canvas != nullptr && canvas->marker_position(1).has_value());
+    canvas->setFocus();
+    const QPoint from = canvas->marker_position(1)->toPoint();
+    QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+    for (const int by : {30, 60, 90}) {
+      const QPointF at = from + QPoint(by, 0);
+      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(canvas, &move);
+    }
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(90, 0));
+    const double moved = markers.time_s(*markers.find(1));
+    QVERIFY(std::abs(moved - 3.0 - 90 * canvas->scale().seconds_per_pixel()) < 1.0 / 60.0);
+    QCOMPARE(studio_->context->undo_stack().count(), 1);
+    QCOMPARE(studio_->context->selection().marker(), std::int64_t{1});
+    QTest::keyClick(canvas, Qt::Key_F2);
+    auto* field = canvas->findChild<QLineEdit*>();
+    QVERIFY(field != nullptr);
+    QTest::keyClicks(field, QStringLiteral("jump"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(markers.find(1)->text, QStringLiteral("jump"));
+    save(QStringLiteral("solve-marker"));
+    QTest::keyClick(canvas, Qt::Key_Delete);
+    QVERIFY(markers.markers().empty());
+    QVERIFY(!canvas->marker_position(1).has_value());
+    QCOMPARE(studio_->context->selection().item().kind, SelectionKind::kNone);
+    for (const int steps : {2, 1, 0}) {
+      QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier);
+      QCOMPARE(studio_->context->undo_stack().index(), steps);
+    }
+    QCOMPARE(markers.find(1)->text, QStringLiteral("clap"));
+    QCOMPARE(markers.time_s(*markers.find(1)), 3.0);
+    // All of it stands in the take.
+    studio_->context->saves().finish();
+    QFile lines(QString::fromStdString((take.folder / "events.jsonl").string()));
+    QVERIFY(lines.open(QIODevice::ReadOnly));
+    QCOMPARE(lines.readAll().count('\n'), 6);
+  }
+
+  void after_a_recording_its_take_is_shown_and_the_live_choice_is_kept() {
+    start(capture_services());
+    studio_->window->show_workspace(QStringLiteral("solve"));
+    LiveModel& live = studio_->context->live();
+    QVERIFY(live.open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
+    QTRY_VERIFY(workspace().shows_live());
+    // The whole figure is in the picture, however the arm is stretched.
+    const OrbitCamera& camera = workspace().viewer().camera();
+    const QSizeF size = workspace().viewer().size();
+    QTRY_VERIFY(workspace().viewer().isVisible());
+    for (const Eigen::Vector3d& point : reach_extent(live.settings().skeleton)) {
+      const auto seen = camera.project(point, {size.width(), size.height()});
+      QVERIFY(seen && seen->x() > 0 && seen->x() < size.width() && seen->y() > 0 && seen->y() < size.height());
+    }
+    QVERIFY(live.start_recording(studio_->take_folder(QStringLiteral("first.take")).toStdString(), {}));
+    QTRY_VERIFY(live.recording());
+    QVERIFY(workspace().shows_live());
+    live.stop_recording();
+    QTRY_VERIFY(studio_->context->document().is_open());
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QVERIFY(!workspace().shows_live());
+    std::vector<body::SegmentPose> expected;
+    model().pose_at(0.0, expected);
+    QTest::qWait(100);  // Live figures still come.
+    QVERIFY(workspace().viewer().pose()[3].p_WL.isApprox(expected[3].p_WL));
+    // The choice outlives a visit elsewhere, both ways.
+    QPushButton* button = this->button(QStringLiteral("Live"));
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(workspace().shows_live());
+    studio_->window->show_workspace(QStringLiteral("export"));
+    QVERIFY(!model().shows_live());
+    studio_->window->show_workspace(QStringLiteral("solve"));
+    QVERIFY(workspace().shows_live() && model().shows_live());
+    QTest::mouseClick(button, Qt::LeftButton);
+    studio_->window->show_workspace(QStringLiteral("export"));
+    studio_->window->show_workspace(QStringLiteral("solve"));
+    QVERIFY(!workspace().shows_live());
+    // A new recording is watched whatever was chosen.
+    QVERIFY(live.start_recording(studio_->take_folder(QStringLiteral("second.take")).toStdString(), {}));
+    QTRY_VERIFY(live.recording());
+    QVERIFY(workspace().shows_live());
+    live.stop_recording();
+    QTRY_VERIFY(!workspace().shows_live());
+    QTRY_COMPARE(studio_->context->document().name(), QStringLiteral("second"));
+  }
+
+  void a_bone_turned_live_turns_at_once_and_becomes_keys_of_the_take() {
+    start(capture_services());
+    studio_->window->show_workspace(QStringLiteral("solve"));
+    LiveModel& live = studio_->context->live();
+    QVERIFY(live.open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
+    QTRY_VERIFY(workspace().shows_live());
+    QTRY_COMPARE(workspace().viewer().pose().size(), live.settings().skeleton.segments.size());
+    Q_EMIT workspace().viewer().segment_clicked(2);
+    auto* box = find<QDoubleSpinBox>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
+    QVERIFY(box != nullptr && box->isEnabled());
+    QTRY_VERIFY(std::abs(azimuth(2)) < 1e-6);
+    box->setValue(40.0);
+    QTRY_VERIFY(std::abs(azimuth(2) - radians(40.0)) < 1e-6);
+    save(QStringLiteral("solve-live-turned"));
+    QUndoStack& undo = studio_->context->undo_stack();
+    undo.undo();
+    QTRY_VERIFY(std::abs(azimuth(2)) < 1e-6);
+    QCOMPARE(box->value(), 0.0);
+    undo.redo();
+    QTRY_VERIFY(std::abs(azimuth(2) - radians(40.0)) < 1e-6);
+    // In a recording: where it stood, then a turn by the slider, one taken back, and none of the other bones.
+    QVERIFY(live.start_recording(studio_->take_folder(QStringLiteral("turned.take")).toStdString(), {}));
+    QTRY_VERIFY(live.recording());
+    QTRY_VERIFY(live.snapshot()->recorded_s > 0.3);
+    auto* slider = find<QSlider>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
+    slider->setSliderDown(true);
+    const double begun_s = live.snapshot()->recorded_s;
+    slider->setSliderPosition(500);
+    QTRY_VERIFY(live.snapshot()->recorded_s > begun_s + 0.2);
+    slider->setSliderPosition(900);
+    const double ended_s = live.snapshot()->recorded_s;
+    slider->setSliderDown(false);
+    const int steps = undo.count();
+    box->setValue(10.0);
+    undo.undo();
+    QCOMPARE(undo.index(), steps);
+    QTest::qWait(50);
+    live.stop_recording();
+    QTRY_COMPARE(studio_->context->document().name(), QStringLiteral("turned"));
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    const auto& keys = model().keys().keys(2);
+    QCOMPARE(keys.size(), std::size_t{3});
+    QCOMPARE(keys[0].time_s, 0.0);
+    QVERIFY(std::abs(keys[0].value - radians(40.0)) < 1e-9);
+    QVERIFY(std::abs(keys[1].time_s - begun_s) < 0.02 && std::abs(keys[1].value - radians(40.0)) < 1e-9);
+    QVERIFY(std::abs(keys[2].time_s - ended_s) < 0.02 && std::abs(keys[2].value - radians(90.0)) < 1e-9);
+    for (const int other : {0, 1, 3}) {
+      QVERIFY(model().keys().keys(other).empty());
+    }
+    // It is in the solve itself, and so on the disk and in what is exported.
+    studio_->context->time().set_playhead(6.0);
+    QVERIFY(std::abs(azimuth(2) - radians(90.0)) < 1e-6);
+    QTRY_VERIFY([&] {
+      const std::lock_guard lock(solving_->mutex);
+      return solving_->stored && solving_->stored->settings.headings.size() > 2 &&
+             solving_->stored->settings.headings[2].size() == 3;
+    }());
+    // Live the bone still stands as it was turned last.
+    QTest::mouseClick(button(QStringLiteral("Live")), Qt::LeftButton);
+    QTRY_VERIFY(std::abs(azimuth(2) - radians(90.0)) < 1e-6);
+    Q_EMIT workspace().viewer().segment_clicked(2);
+    QTest::mouseClick(button(QStringLiteral("Back to 0°")), Qt::LeftButton);
+    QTRY_VERIFY(std::abs(azimuth(2)) < 1e-6);
+  }
+
+  void curves_are_shown_with_the_solve() {
+    open_solved();
+    const QImage picture = workspace().curves().grab().toImage();
+    const QColor series = series_color(theme_colors(workspace().palette()), 1);
+    int coloured = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor at = picture.pixelColor(x, y);
+        coloured += std::abs(at.red() - series.red()) + std::abs(at.green() - series.green()) +
+                                std::abs(at.blue() - series.blue()) <
+                            120
+                        ? 1
+                        : 0;
+      }
+    }
+    QVERIFY2(coloured > 100, "the second sensor's curve is there");
   }
 
   void simulated_take_from_disk_to_picture() {
