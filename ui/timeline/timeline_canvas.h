@@ -3,8 +3,8 @@
 
 #include <QColor>
 #include <QPointF>
-#include <QString>
 #include <QPointer>
+#include <QString>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -32,8 +32,8 @@ struct TimelineStretch {
   QString name;
 };
 
-/// Scrub in the ruler, wheel to zoom, Shift and wheel or middle drag to move, drag keys and markers, double-click a lane
-/// to set a key, the row of events to set a marker, a marker to rename it. Shows the lanes that have keys and the
+/// Scrub in the ruler, wheel to zoom, Shift and wheel or middle drag to move, drag keys and markers, double-click a
+/// lane to set a key, the row of events to set a marker, a marker to rename it. Shows the lanes that have keys and the
 /// current one.
 class TimelineCanvas : public QWidget {
   Q_OBJECT

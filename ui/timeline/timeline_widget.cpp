@@ -146,11 +146,13 @@ void TimelineWidget::show_state() {
   remove_->setEnabled(!keys_.selected().empty() || canvas_->marker_time(canvas_->selected_marker()) >= 0.0);
   const auto frame = std::llround(time_.playhead_s() / time_.frame_s());
   now_->setText(any ? QString::fromStdString(time_label(time_.playhead_s(), 0.001)) : tr("–"));
-  length_->setText(any ? tr("/ %1   frame %2 of %3")
+  const QString length = tr("/ %1   frame %2 of %3")
                              .arg(QString::fromStdString(time_label(time_.duration_s(), 0.001)))
                              .arg(frame)
-                             .arg(std::llround(time_.duration_s() / time_.frame_s()))
-                       : tr("nothing to play yet"));
+                             .arg(std::llround(time_.duration_s() / time_.frame_s()));
+  // What stands at its start waits to be played.
+  const bool waits = any && !playing && frame == 0;
+  length_->setText(!any ? tr("nothing to play yet") : waits ? tr("%1   Space plays").arg(length) : length);
 }
 
 void TimelineWidget::set_current_lane(int lane) {

@@ -14,144 +14,19 @@
 #include <QTest>
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
 #include "base/units.h"
-#include "common/latency_text.h"
 #include "common/widgets.h"
 #include "simulate/simulate.h"
+#include "timeline/timeline_canvas.h"
+#include "ui/support/fake_capture.h"
 #include "ui/support/solve_fixture.h"
 #include "workspaces/solve/bone_card.h"
 #include "workspaces/solve/quality_card.h"
-#include "timeline/timeline_canvas.h"
 #include "workspaces/solve/settings_card.h"
 #include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui::testing {
-
-namespace {
-
-/// A capture with a pose every 17 ms, each one frame old.
-class FakeCapture : public LiveBackend {
- public:
-  explicit FakeCapture(body::Skeleton skeleton) : skeleton_(std::move(skeleton)) {}
-  ~FakeCapture() override { end(); }
-  Status start() override {
-    running_ = true;
-    thread_ = std::thread([this] {
-      while (running_) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(17));
-        ++number_;
-        told_();
-      }
-    });
-    return {};
-  }
-  void stop() override { end(); }
-  Status start_recording(const std::filesystem::path& folder, const std::string&) override {
-    folder_ = folder;
-    recording_since_ = steady_now_s();
-    return {};
-  }
-  Result<take::Take> stop_recording() override {
-    take::Take take = made_up_take(QString::fromStdString(folder_.string()), 8.0);
-    take.info.segments.clear();
-    take.events = std::exchange(marks_, {});
-    recording_since_ = 0.0;
-    return take;
-  }
-  std::optional<take::TakeEvent> mark(const std::string& text) override {
-    const auto number = static_cast<std::int64_t>(marks_.size()) + 1;
-    marks_.push_back({SampleIndex{std::llround(48000.0 * (steady_now_s() - recording_since_))}, "marker", text, number});
-    return marks_.back();
-  }
-  bool write_event(const take::TakeEvent&) override { return true; }
-  void set_calibration(const calibrate::RigCalibration&) override {}
-  void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) override {
-    const std::lock_guard lock(mutex_);
-    headings_ = headings;
-  }
-  void on_figure(std::function<void()> told) override { told_ = std::move(told); }
-  [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
-    auto shot = std::make_shared<solve::LiveSnapshot>();
-    shot->version = ++version_;
-    shot->recording = recording_since_ > 0.0;
-    shot->recorded_s = shot->recording ? steady_now_s() - recording_since_ : 0.0;
-    return shot;
-  }
-  [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const override {
-    if (number_ == 0) {
-      return nullptr;
-    }
-    auto made = std::make_shared<solve::LiveFigure>();
-    made->number = number_;
-    const std::vector<double> now{steady_now_s()};
-    std::vector<body::Quaterniond> R;
-    const std::lock_guard lock(mutex_);
-    for (const auto& list : made_up_motion(skeleton_, now)) {
-      const double heading = R.size() < headings_.size() ? solve::heading_at(headings_[R.size()], 0.0) : 0.0;
-      R.push_back(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()) * list.front());
-    }
-    made->pose = body::poses_from_orientations(skeleton_, R, skeleton_.segments.front().p_PL);
-    made->times.oldest_slot = now.front() - 0.017;
-    made->times.instant = made->times.oldest_slot + 0.008;
-    made->times.cycle_end = made->times.arrived = made->times.solved = now.front();
-    return made;
-  }
-
- private:
-  void end() {
-    running_ = false;
-    if (thread_.joinable()) {
-      thread_.join();
-    }
-  }
-  body::Skeleton skeleton_;
-  std::function<void()> told_;
-  std::thread thread_;
-  std::atomic<bool> running_{false};
-  std::atomic<std::uint64_t> number_{0};
-  mutable std::mutex mutex_;
-  std::vector<std::vector<solve::HeadingKey>> headings_;
-  mutable std::atomic<std::uint64_t> version_{0};
-  std::atomic<double> recording_since_{0.0};
-  std::filesystem::path folder_;
-  std::vector<take::TakeEvent> marks_;
-};
-
-class SilentSource : public acquire::LiveSource {
- public:
-  [[nodiscard]] acquire::StreamFormat format() const override { return {}; }
-  [[nodiscard]] std::string title() const override { return "fake"; }
-  Status start() override { return {}; }
-  void stop() override {}
-  std::size_t pull(std::span<std::byte>) override { return 0; }
-  [[nodiscard]] acquire::SourceCounters counters() const override { return {}; }
-  [[nodiscard]] bool alive() const override { return true; }
-  [[nodiscard]] double device_latency_s() const override { return 0.0; }
-  [[nodiscard]] double newest_frame_time_s() const override { return 0.0; }
-};
-
-StudioServices capture_services() {
-  StudioServices services;
-  services.load_rig = [](const std::string& name, const std::string&,
-                         const std::string&) -> Result<solve::LiveSettings> {
-    solve::LiveSettings settings;
-    settings.rig = body::load_rig(name).value();
-    settings.skeleton = body::load_skeleton(settings.rig.skeleton).value();
-    return settings;
-  };
-  services.open_device = [](const std::string&, const DeviceSetup&,
-                            const std::string&) -> Result<std::unique_ptr<acquire::LiveSource>> {
-    return std::unique_ptr<acquire::LiveSource>(std::make_unique<SilentSource>());
-  };
-  services.make_live = [](std::unique_ptr<acquire::LiveSource>, solve::LiveSettings settings) {
-    return std::unique_ptr<LiveBackend>(std::make_unique<FakeCapture>(settings.skeleton));
-  };
-  return services;
-}
-
-}  // namespace
 
 class SolveWorkspaceTest : public QObject {
   Q_OBJECT
@@ -539,39 +414,6 @@ class SolveWorkspaceTest : public QObject {
     QVERIFY(studio_->context->document().is_open());
   }
 
-  void live_capture_moves_the_figure_and_measures_its_latency() {
-    start(capture_services());
-    studio_->window->show_workspace(QStringLiteral("solve"));
-    QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
-    QTRY_VERIFY(workspace().shows_live());
-    QSignalSpy frames(&workspace().viewer(), &ViewerWidget::frame_rendered);
-    const LiveModel& live = studio_->context->live();
-    // The first second is not counted.
-    QTRY_VERIFY_WITH_TIMEOUT(live.latency().poses > 30, 20000);
-    const solve::LatencyReport report = live.latency();
-    QVERIFY(static_cast<std::size_t>(frames.size()) >= report.poses);
-    QVERIFY(qAbs(report.of(solve::LatencyStage::kCycle).mean_s - 0.017) < 1e-6);
-    QVERIFY(report.of(solve::LatencyStage::kDraw).mean_s > 0.0);
-    double sum = 0.0;
-    for (std::size_t stage = 0; stage + 1 < solve::kLatencyStages; ++stage) {
-      sum += report.stages[stage].mean_s;
-    }
-    QVERIFY(qAbs(report.of(solve::LatencyStage::kTotal).mean_s - sum) < 1e-9);
-    const Eigen::Vector3d then = workspace().viewer().pose()[3].p_WL;
-    QTRY_VERIFY((workspace().viewer().pose()[3].p_WL - then).norm() > 0.01);
-    qInfo().noquote() << latency_sentences(report, 0.0);
-    const auto told = [this] {
-      const auto labels = studio_->window->findChildren<ElidedLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [](const ElidedLabel* label) {
-        return label->full_text().contains(QStringLiteral("sensor to screen"));
-      });
-    };
-    QTRY_VERIFY(told());
-    save(QStringLiteral("solve-live"));
-    studio_->context->live().close();
-    QTRY_VERIFY(!workspace().shows_live());
-  }
-
   void markers_on_the_timeline_go_through_undo() {
     start();
     take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), solving_->seconds);
@@ -621,117 +463,6 @@ class SolveWorkspaceTest : public QObject {
     QCOMPARE(lines.readAll().count('\n'), 6);
   }
 
-  void after_a_recording_its_take_is_shown_and_the_live_choice_is_kept() {
-    start(capture_services());
-    studio_->window->show_workspace(QStringLiteral("solve"));
-    LiveModel& live = studio_->context->live();
-    QVERIFY(live.open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
-    QTRY_VERIFY(workspace().shows_live());
-    // The whole figure is in the picture, however the arm is stretched.
-    const OrbitCamera& camera = workspace().viewer().camera();
-    const QSizeF size = workspace().viewer().size();
-    QTRY_VERIFY(workspace().viewer().isVisible());
-    for (const Eigen::Vector3d& point : reach_extent(live.settings().skeleton)) {
-      const auto seen = camera.project(point, {size.width(), size.height()});
-      QVERIFY(seen && seen->x() > 0 && seen->x() < size.width() && seen->y() > 0 && seen->y() < size.height());
-    }
-    QVERIFY(live.start_recording(studio_->take_folder(QStringLiteral("first.take")).toStdString(), {}));
-    QTRY_VERIFY(live.recording());
-    QVERIFY(workspace().shows_live());
-    live.stop_recording();
-    QTRY_VERIFY(studio_->context->document().is_open());
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QVERIFY(!workspace().shows_live());
-    std::vector<body::SegmentPose> expected;
-    model().pose_at(0.0, expected);
-    QTest::qWait(100);  // Live figures still come.
-    QVERIFY(workspace().viewer().pose()[3].p_WL.isApprox(expected[3].p_WL));
-    // The choice outlives a visit elsewhere, both ways.
-    QPushButton* button = this->button(QStringLiteral("Live"));
-    QTest::mouseClick(button, Qt::LeftButton);
-    QVERIFY(workspace().shows_live());
-    studio_->window->show_workspace(QStringLiteral("export"));
-    QVERIFY(!model().shows_live());
-    studio_->window->show_workspace(QStringLiteral("solve"));
-    QVERIFY(workspace().shows_live() && model().shows_live());
-    QTest::mouseClick(button, Qt::LeftButton);
-    studio_->window->show_workspace(QStringLiteral("export"));
-    studio_->window->show_workspace(QStringLiteral("solve"));
-    QVERIFY(!workspace().shows_live());
-    // A new recording is watched whatever was chosen.
-    QVERIFY(live.start_recording(studio_->take_folder(QStringLiteral("second.take")).toStdString(), {}));
-    QTRY_VERIFY(live.recording());
-    QVERIFY(workspace().shows_live());
-    live.stop_recording();
-    QTRY_VERIFY(!workspace().shows_live());
-    QTRY_COMPARE(studio_->context->document().name(), QStringLiteral("second"));
-  }
-
-  void a_bone_turned_live_turns_at_once_and_becomes_keys_of_the_take() {
-    start(capture_services());
-    studio_->window->show_workspace(QStringLiteral("solve"));
-    LiveModel& live = studio_->context->live();
-    QVERIFY(live.open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
-    QTRY_VERIFY(workspace().shows_live());
-    QTRY_COMPARE(workspace().viewer().pose().size(), live.settings().skeleton.segments.size());
-    Q_EMIT workspace().viewer().segment_clicked(2);
-    auto* box = find<QDoubleSpinBox>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
-    QVERIFY(box != nullptr && box->isEnabled());
-    QTRY_VERIFY(std::abs(azimuth(2)) < 1e-6);
-    box->setValue(40.0);
-    QTRY_VERIFY(std::abs(azimuth(2) - radians(40.0)) < 1e-6);
-    save(QStringLiteral("solve-live-turned"));
-    QUndoStack& undo = studio_->context->undo_stack();
-    undo.undo();
-    QTRY_VERIFY(std::abs(azimuth(2)) < 1e-6);
-    QCOMPARE(box->value(), 0.0);
-    undo.redo();
-    QTRY_VERIFY(std::abs(azimuth(2) - radians(40.0)) < 1e-6);
-    // In a recording: where it stood, then a turn by the slider, one taken back, and none of the other bones.
-    QVERIFY(live.start_recording(studio_->take_folder(QStringLiteral("turned.take")).toStdString(), {}));
-    QTRY_VERIFY(live.recording());
-    QTRY_VERIFY(live.snapshot()->recorded_s > 0.3);
-    auto* slider = find<QSlider>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
-    slider->setSliderDown(true);
-    const double begun_s = live.snapshot()->recorded_s;
-    slider->setSliderPosition(500);
-    QTRY_VERIFY(live.snapshot()->recorded_s > begun_s + 0.2);
-    slider->setSliderPosition(900);
-    const double ended_s = live.snapshot()->recorded_s;
-    slider->setSliderDown(false);
-    const int steps = undo.count();
-    box->setValue(10.0);
-    undo.undo();
-    QCOMPARE(undo.index(), steps);
-    QTest::qWait(50);
-    live.stop_recording();
-    QTRY_COMPARE(studio_->context->document().name(), QStringLiteral("turned"));
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    const auto& keys = model().keys().keys(2);
-    QCOMPARE(keys.size(), std::size_t{3});
-    QCOMPARE(keys[0].time_s, 0.0);
-    QVERIFY(std::abs(keys[0].value - radians(40.0)) < 1e-9);
-    QVERIFY(std::abs(keys[1].time_s - begun_s) < 0.02 && std::abs(keys[1].value - radians(40.0)) < 1e-9);
-    QVERIFY(std::abs(keys[2].time_s - ended_s) < 0.02 && std::abs(keys[2].value - radians(90.0)) < 1e-9);
-    for (const int other : {0, 1, 3}) {
-      QVERIFY(model().keys().keys(other).empty());
-    }
-    // It is in the solve itself, and so on the disk and in what is exported.
-    studio_->context->time().set_playhead(6.0);
-    QVERIFY(std::abs(azimuth(2) - radians(90.0)) < 1e-6);
-    QTRY_VERIFY([&] {
-      const std::lock_guard lock(solving_->mutex);
-      return solving_->stored && solving_->stored->settings.headings.size() > 2 &&
-             solving_->stored->settings.headings[2].size() == 3;
-    }());
-    // Live the bone still stands as it was turned last.
-    QTest::mouseClick(button(QStringLiteral("Live")), Qt::LeftButton);
-    QTRY_VERIFY(std::abs(azimuth(2) - radians(90.0)) < 1e-6);
-    Q_EMIT workspace().viewer().segment_clicked(2);
-    QTest::mouseClick(button(QStringLiteral("Back to 0°")), Qt::LeftButton);
-    QTRY_VERIFY(std::abs(azimuth(2)) < 1e-6);
-  }
-
   void curves_are_shown_with_the_solve() {
     open_solved();
     const QImage picture = workspace().curves().grab().toImage();
@@ -748,6 +479,112 @@ class SolveWorkspaceTest : public QObject {
       }
     }
     QVERIFY2(coloured > 100, "the second sensor's curve is there");
+  }
+
+  void m_sets_a_marker_at_the_playhead() {
+    start();
+    take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), solving_->seconds);
+    take.events.clear();
+    std::filesystem::create_directories(take.folder);
+    studio_->context->document().set(take);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    studio_->window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(studio_->window.get()));
+    studio_->context->time().set_playhead(1.5);
+    QTest::keyClick(studio_->window.get(), Qt::Key_M);
+    MarkerModel& markers = studio_->context->markers();
+    QCOMPARE(markers.markers().size(), std::size_t{1});
+    QVERIFY(std::abs(markers.time_s(markers.markers().front()) - 3.5) < 1e-3);
+    QCOMPARE(studio_->context->selection().marker(), markers.newest());
+    QTest::keyClick(studio_->window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(markers.markers().empty());
+  }
+
+  void nothing_slow_is_done_in_the_windows_own_thread() {
+    std::atomic<int> in_window{0}, elsewhere{0};
+    const auto note = [&] { ++(QThread::currentThread() == qApp->thread() ? in_window : elsewhere); };
+    FakeSolving made;
+    SolveServices services = made.services();
+    services.list = [&, list = services.list](const take::Take& take) {
+      note();
+      return list(take);
+    };
+    services.load = [&, load = services.load](const take::Take& take, const std::string& name) {
+      note();
+      return load(take, name);
+    };
+    services.save = [&, keep = services.save](const take::Take& take, const solve::Solve& solve) {
+      note();
+      return keep(take, solve);
+    };
+    services.load_truth = [&](const take::Take&) -> Result<std::optional<evaluate::Truth>> {
+      note();
+      return std::optional<evaluate::Truth>(evaluate::Truth{});
+    };
+    services.evaluate = [&](const motion::Clip&, double, const evaluate::Truth&) -> Result<evaluate::Evaluation> {
+      note();
+      return evaluate::Evaluation{};
+    };
+    StudioServices capture = capture_services();
+    capture.load_rig = [&, load = capture.load_rig](const std::string& rig, const std::string& subject,
+                                                    const std::string& device) {
+      note();
+      return load(rig, subject, device);
+    };
+    capture.list_rigs = [] { return std::vector<RigChoice>{{"line-in-arm", "Arm"}}; };
+    studio_ = std::make_unique<SolveStudio>(services, capture);
+    studio_->window->show_workspace(QStringLiteral("capture"));
+    QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Card"), "line-in-arm", {}));
+    QTRY_VERIFY(studio_->context->live().running());
+    for (const char* name : {"a.take", "b.take"}) {
+      studio_->context->document().set(made_up_take(studio_->take_folder(QString::fromLatin1(name)), made.seconds));
+      QTRY_COMPARE(model().state(), SolveState::kSolved);
+      QVERIFY(model().change_length(1, model().skeleton().segments[1].length + 0.01));
+      model().save();
+      QTRY_VERIFY(studio_->context->jobs().jobs().empty());
+    }
+    QVERIFY(made.loaded.load() > 0 && made.saved.load() > 1);
+    QVERIFY(elsewhere.load() > 8);
+    QCOMPARE(in_window.load(), 0);
+    studio_.reset();
+  }
+
+  void comparing_with_the_truth_never_piles_up_and_the_newest_stands() {
+    FakeSolving made;
+    SolveServices services = made.services();
+    std::atomic<int> running{0}, most{0}, begun{0};
+    std::atomic<bool> hold{false};
+    services.load_truth = [](const take::Take&) -> Result<std::optional<evaluate::Truth>> {
+      return std::optional<evaluate::Truth>(evaluate::Truth{});
+    };
+    services.evaluate = [&](const motion::Clip& clip, double, const evaluate::Truth&) -> Result<evaluate::Evaluation> {
+      ++begun;
+      most = std::max(most.load(), ++running);
+      while (hold) {
+        QThread::msleep(5);
+      }
+      --running;
+      evaluate::Evaluation evaluation;
+      evaluation.all.inclination_mean_deg = 1000.0 * clip.skeleton.segments[1].length;
+      return evaluation;
+    };
+    studio_ = std::make_unique<SolveStudio>(services);
+    studio_->context->document().set(made_up_take(studio_->take_folder(QStringLiteral("a.take")), made.seconds));
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QCOMPARE(begun.load(), 1);
+    hold = true;
+    QVERIFY(model().change_length(1, 0.31));
+    QTRY_COMPARE(begun.load(), 2);
+    for (const double length : {0.32, 0.33, 0.34}) {
+      QVERIFY(model().change_length(1, length));
+      QTest::qWait(900);  // Longer than it waits for the next edit.
+    }
+    QCOMPARE(begun.load(), 2);
+    hold = false;
+    QTRY_VERIFY(std::abs(model().evaluation()->all.inclination_mean_deg - 340.0) < 1e-6);
+    QCOMPARE(most.load(), 1);
+    QVERIFY2(begun.load() <= 4, "states that were overtaken are left out");
+    studio_.reset();
   }
 
   void simulated_take_from_disk_to_picture() {

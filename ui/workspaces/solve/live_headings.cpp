@@ -145,8 +145,8 @@ bool LiveHeadings::set(int segment, double heading, int gesture) {
   }
   const double now = recorded_s();
   const Turn turn{++turn_ids_, segment, now, now, values_[i], heading};
-  context_.undo_stack().push(new TurnLiveCommand(*this, turn, tr("turn %1 live").arg(QString::fromStdString(names_[i])),
-                                                 gesture, recording_));
+  context_.undo_stack().push(
+      new TurnLiveCommand(*this, turn, tr("turn %1 live").arg(QString::fromStdString(names_[i])), gesture, recording_));
   return true;
 }
 

@@ -1,6 +1,6 @@
-/// Rotations about the vertical of the live figure, as the user sets them while watching. Gravity cannot tell them; what
-/// is set holds from then on. While a take is being recorded every turn becomes keys of that take, at the moment at
-/// which it was made.
+/// Rotations about the vertical of the live figure, as the user sets them while watching. Gravity cannot tell them;
+/// what is set holds from then on. While a take is being recorded every turn becomes keys of that take, at the moment
+/// at which it was made.
 #pragma once
 
 #include <QObject>

@@ -53,7 +53,8 @@ std::vector<ShortcutHelp> timeline_shortcuts() {
       {SolveEntries::tr("I"), SolveEntries::tr("Set a key for the selected bone")},
       {SolveEntries::tr("Del"), SolveEntries::tr("Delete the selected keys or the selected marker")},
       {SolveEntries::tr("F2"), SolveEntries::tr("Rename the selected marker")},
-      {SolveEntries::tr("Alt+Left / Alt+Right"), SolveEntries::tr("Move the selected keys or the selected marker by a frame")},
+      {SolveEntries::tr("Alt+Left / Alt+Right"),
+       SolveEntries::tr("Move the selected keys or the selected marker by a frame")},
       {SolveEntries::tr("Alt+Up / Alt+Down"), SolveEntries::tr("Turn the selected keys by 1°; with Shift by 0.1°")}};
 }
 

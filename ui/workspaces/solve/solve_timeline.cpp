@@ -55,10 +55,10 @@ void show_take(StudioContext& context, SolveModel& model, TimelineCanvas& canvas
 }
 
 void show_hint(SolveModel& model, TimelineCanvas& canvas) {
-  canvas.set_hint(model.shows_live() ? SolveTimeline::tr("Live: what you turn now becomes keys here once it is recorded.")
-                  : model.solve()
-                      ? SolveTimeline::tr("Select a bone, then press I to key its rotation about the vertical.")
-                      : SolveTimeline::tr("Keys of the bones appear here once a take is solved."));
+  canvas.set_hint(
+      model.shows_live() ? SolveTimeline::tr("Live: what you turn now becomes keys here once it is recorded.")
+      : model.solve()    ? SolveTimeline::tr("Select a bone, then press I to key its rotation about the vertical.")
+                         : SolveTimeline::tr("Keys of the bones appear here once a take is solved."));
 }
 
 // Markers are edited through the model that Capture uses too; times of the clip become times of the take.

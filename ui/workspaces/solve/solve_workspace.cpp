@@ -19,6 +19,7 @@
 #include "common/latency_text.h"
 #include "common/theme.h"
 #include "common/widgets.h"
+#include "workspaces/record_banner.h"
 #include "workspaces/solve/bone_card.h"
 #include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/quality_text.h"
@@ -47,7 +48,9 @@ SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   pages_ = new QStackedWidget(this);
-  layout->addWidget(pages_);
+  layout->setSpacing(0);
+  layout->addWidget(new RecordBanner(context_, this));
+  layout->addWidget(pages_, 1);
   empty_ = new EmptyState(QStringLiteral("solve"), pages_);
   empty_button_ = empty_->add_button(tr("Capture a take"), true);
   pages_->addWidget(empty_);
