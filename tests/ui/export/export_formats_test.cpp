@@ -169,6 +169,7 @@ class ExportFormatsTest : public QObject {
     const Eigen::Vector3d way = place_of(*back, "hips", back->duration()) - place_of(*back, "hips", 0.0);
     QVERIFY(way.head<2>().norm() < 1e-3);
     // So does the preview.
+    QVERIFY(studio_->settle());
     const PreparedExport& shown = *studio_->model().prepared();
     std::vector<body::SegmentPose> first, last;
     shown.pose_at(0.0, first);

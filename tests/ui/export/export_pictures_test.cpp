@@ -74,19 +74,19 @@ class ExportPicturesTest : public QObject {
   void dark() {
     open();
     choose_unreal();
-    shoot(QStringLiteral("export-dark"));
+    shoot(QStringLiteral("export-walk-dark"));
   }
   void light() {
     apply_theme(*qApp, ThemeKind::kLight);
     open();
     choose_unreal();
     QVERIFY(studio_->export_now());
-    shoot(QStringLiteral("export-light"));
+    shoot(QStringLiteral("export-walk-light"));
   }
   void small() {
     open(960, 600);
     choose_unreal();
-    shoot(QStringLiteral("export-small"));
+    shoot(QStringLiteral("export-walk-small"));
   }
   void rest_pose() {
     open();
@@ -108,7 +108,7 @@ class ExportPicturesTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(done, 60000);
     QVERIFY(studio_->says("Geschrieben und zurückgelesen"));
     QVERIFY(studio_->says("Die Knochen heißen wie in"));
-    shoot(QStringLiteral("export-german"));
+    shoot(QStringLiteral("export-walk-german"));
     // Every shipped preset speaks German.
     for (const PresetEntry& entry : studio_->model().presets()) {
       QVERIFY2(preset_comment(*entry.preset) != QString::fromStdString(entry.preset->comment), entry.name.c_str());

@@ -382,6 +382,8 @@ class ExportWorkspaceTest : public QObject {
 
   void it_can_be_used_without_a_mouse() {
     open();
+    studio_->studio->window->activateWindow();  // Xvfb has no window manager that would do it.
+    QVERIFY(QTest::qWaitForWindowActive(studio_->studio->window.get()));
     studio_->find<QComboBox>("Motion")->setFocus();
     QStringList order;
     for (int i = 0; i < 60; ++i) {

@@ -8,7 +8,7 @@
 #include <QTranslator>
 
 #include "common/core_services.h"
-#include "interchange/bvh_reader.h"
+#include "interchange/animation_file.h"
 #include "simulate/simulate.h"
 #include "solve/report_text.h"
 #include "ui/support/solve_fixture.h"
@@ -160,13 +160,14 @@ class AnimatorTest : public QObject {
     QTest::qWait(300);
     time.set_playhead(1.0);
     press(Qt::Key_E, Qt::ControlModifier);
-    const std::filesystem::path file = folder.parent_path() / (folder.stem().string() + ".bvh");
+    const std::filesystem::path file = folder.parent_path() / (folder.stem().string() + ".fbx");
     QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(file), 60000);
     QTest::qWait(500);
     picture(QStringLiteral("4-exported"));
-    const auto clip = interchange::load_bvh(file);
-    QVERIFY(clip.ok());
-    const double exported = clip->skeleton.segments[static_cast<std::size_t>(clip->skeleton.find("upper_arm"))].length;
+    const auto clips = interchange::load_animation(file);
+    QVERIFY(clips.ok());
+    const body::Skeleton& skeleton = clips->front().skeleton;
+    const double exported = skeleton.segments[static_cast<std::size_t>(skeleton.find("forearm"))].p_PL.norm();
     QVERIFY(qAbs(exported - model.skeleton().segments[static_cast<std::size_t>(upper)].length) < 1e-4);
 
     studio_.reset();
