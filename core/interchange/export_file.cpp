@@ -18,6 +18,7 @@
 #include "interchange/read_back.h"
 #include "motion/key_reduction.h"
 #include "motion/mannequin.h"
+#include "motion/transforms.h"
 
 namespace limbwave::interchange {
 namespace {
@@ -74,7 +75,7 @@ std::size_t count_keys(const Clip& clip) {
 Preset adapted(const ExportOptions& options, FileFormat format) {
   Preset preset = options.preset;
   preset.root_motion = options.root_motion.value_or(preset.root_motion);
-  preset.unit = options.unit.value_or(preset.unit);
+  preset.unit = options.unit.value_or(format == FileFormat::kBvh ? preset.bvh_unit : preset.unit);
   preset.rest_frame = preset.rest_frame && options.rest_frame;
   if (!has_bone_frames(format)) {
     // These files have one root and the world's axes in every joint.
@@ -204,14 +205,22 @@ Result<std::vector<Clip>> prepared(std::span<const Clip* const> clips, FileForma
       clip = resampled_smoothly(*std::move(clip), fps);
     }
     clip->frame_rate_hz = fps;
-    if (!options.mesh || !has_bone_frames(format)) {
+    const bool with_mesh = options.mesh && has_bone_frames(format);
+    if (!with_mesh) {
       clip->meshes.clear();
-    } else if (clip->meshes.empty()) {
-      clip->meshes.push_back(motion::mannequin(clip->skeleton));
     }
     clip = arranged(*std::move(clip), preset);
     if (!clip) {
       return clip.error();
+    }
+    if (format == FileFormat::kGlb || format == FileFormat::kGltf || format == FileFormat::kVrm) {
+      // Blender and others do not read the tangents of glTF's curves. (FBX is written densely anyway.)
+      clip = motion::with_straight_pieces(*std::move(clip));
+    }
+    // Importers take the pose in which meshes are bound for the skeleton's rest pose.
+    clip = motion::with_meshes_at_rest(*std::move(clip));
+    if (with_mesh && clip->meshes.empty()) {
+      clip->meshes.push_back(motion::mannequin(clip->skeleton, bone_axis(preset)));
     }
     report.keys_before += count_keys(*clip);
     if (options.key_tolerance_rad > 0.0 && has_bone_frames(format)) {
