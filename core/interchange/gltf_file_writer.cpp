@@ -74,7 +74,8 @@ class SceneWriter {
         (above_ < 0 ? model_.scenes[0].nodes : model_.nodes[static_cast<std::size_t>(above_)].children)
             .push_back(index);
       } else {
-        model_.nodes[static_cast<std::size_t>(first_ + segment.parent)].children.push_back(index);
+        model_.nodes[static_cast<std::size_t>(first_) + static_cast<std::size_t>(segment.parent)].children.push_back(
+            index);
       }
     }
   }
