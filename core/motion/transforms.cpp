@@ -12,8 +12,8 @@ namespace {
 // Shorter bones have no direction.
 constexpr double kShortestBone = 1e-6;
 // Poses that differ by less are one, metres and radians.
-constexpr double kSamePlace = 1e-6;
-constexpr double kSameTurn = 1e-6;
+constexpr double kSamePlace = 2e-5;
+constexpr double kSameTurn = 1e-5;
 // A frame this close to a key, in frames, is the key.
 constexpr double kSameFrame = 1e-3;
 
