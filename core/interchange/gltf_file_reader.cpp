@@ -184,12 +184,10 @@ double frame_rate(const tinygltf::Model& model, const motion::Clip& clip) {
   return std::clamp(frame_rate_from_text(step, fmt::format("{:.6f}", step)), 1e-3, kHighestFrameRate);
 }
 
-// Key times are 32-bit numbers; those that stand for a frame become it, so that fast movements stay on their frames.
 void put_on_frames(motion::Clip& clip) {
   const auto put = [&](std::vector<double>& times) {
     for (double& time : times) {
-      const double frame = std::round(time * clip.frame_rate_hz) / clip.frame_rate_hz;
-      time = static_cast<float>(frame) == static_cast<float>(time) ? frame : time;
+      time = single_time(time, clip.frame_rate_hz);
     }
   };
   put(clip.root_position.times);
