@@ -3539,6 +3539,10 @@
         <source>Not exported. %1</source>
         <translation>Nicht exportiert. %1</translation>
     </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ExportModel</name>

@@ -19,6 +19,7 @@ namespace limbwave::ui {
 
 namespace {
 
+constexpr double kSmallestShown = 1e-6;      // Metres.
 constexpr int kIcon = 16, kResultIcon = 20;  // Pixels.
 
 QLabel* told(const char* role, QWidget* parent) {
@@ -236,7 +237,9 @@ void ExportFinish::show_result(const Result<interchange::ExportReport>& result) 
                                   locale().toString(result->fps, 'g', 6), format_clock_tenths(result->duration_s))
                              .arg(result->bones)
                              .arg(QString::fromStdString(result->file.parent_path().string()));
-    const QString distance = locale().toString(1e3 * result->worst_m, 'f', 3);
+    const QString distance = result->worst_m < kSmallestShown
+                                 ? tr("below %1").arg(locale().toString(1e3 * kSmallestShown, 'f', 3))
+                                 : locale().toString(1e3 * result->worst_m, 'f', 3);
     const QString worst = result->worst_joint.empty() ? tr("Every joint is where it belongs.")
                                                       : tr("Largest difference at any key: %1 mm, at %2.")
                                                             .arg(distance, QString::fromStdString(result->worst_joint));

@@ -263,7 +263,7 @@ void ExportOptionsCard::show_figure(const ExportChoices& choices, const intercha
   }
   fill(names_, bone_map_title(preset.bone_map), names,
        choices.bone_map ? QVariant(QString::fromStdString(*choices.bone_map)) : QVariant(kAsPreset));
-  fill(units_, unit_text(preset.unit),
+  fill(units_, unit_text(format.format == interchange::FileFormat::kBvh ? preset.bvh_unit : preset.unit),
        {{tr("Centimetres"), static_cast<int>(FileUnit::kCentimetres)},
         {tr("Metres"), static_cast<int>(FileUnit::kMetres)}},
        number(choices.unit));

@@ -111,8 +111,8 @@ interchange::Preset effective_preset(const ExportChoices& choices, const interch
   made.rest = choices.rest.value_or(made.rest);
   made.rest_frame = choices.rest_frame.value_or(made.rest_frame);
   made.bone_map = choices.bone_map.value_or(made.bone_map);
-  made.unit = choices.unit.value_or(made.unit);
   const ExportFormat format = export_format(choices.format);
+  made.unit = choices.unit.value_or(format.format == FileFormat::kBvh ? made.bvh_unit : made.unit);
   if (!format.has_unit) {
     made.unit = FileUnit::kMetres;
   }

@@ -34,6 +34,15 @@ QString count(std::size_t number) {
   return QLocale().toString(qulonglong(number));
 }
 
+// Two digits of what is known roughly.
+std::uintmax_t rounded(std::uintmax_t bytes) {
+  std::uintmax_t step = 1;
+  while (bytes / step >= 100) {
+    step *= 10;
+  }
+  return (bytes + step / 2) / step * step;
+}
+
 std::vector<Eigen::Vector3d> extent(const PreparedExport& prepared) {
   std::vector<Eigen::Vector3d> points;
   std::vector<body::SegmentPose> poses;
@@ -202,7 +211,7 @@ void ExportPreview::show_facts() {
   set(unit_, model_.preset().preset
                  ? tr("in %1").arg(unit_text(effective_preset(model_.choices(), *model_.preset().preset).unit))
                  : QStringLiteral("–"));
-  set(size_, tr("about %1").arg(size_text(shown_->bytes)));
+  set(size_, tr("about %1").arg(size_text(rounded(shown_->bytes))));
 }
 
 void ExportPreview::show_bones() {
