@@ -297,7 +297,7 @@ void SolveWorkspace::show_verdict() {
 
 void SolveWorkspace::changeEvent(QEvent* event) {
   Workspace::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && verdict_ != nullptr) {
+  if (event->type() == QEvent::PaletteChange && failure_icon_ != nullptr) {
     show_verdict();
   }
 }
