@@ -1792,11 +1792,11 @@
     </message>
     <message>
         <source>is more than 10 m off</source>
-        <translation>ist mehr als 10 m entfernt</translation>
+        <translation>liegt mehr als 10 m entfernt</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which another %2 has already</source>
-        <translation>ist „%1“, so heißt schon ein anderes Element (%2)</translation>
+        <translation>ist „%1“, was schon ein anderer Eintrag hat (%2)</translation>
     </message>
     <message>
         <source>has a pulse_hz of %1, too close to half the sample rate</source>
@@ -1804,7 +1804,7 @@
     </message>
     <message>
         <source>use a rate_hz of at least 2.5 times pulse_hz</source>
-        <translation>rate_hz muss mindestens das 2,5-Fache von pulse_hz sein</translation>
+        <translation>rate_hz mindestens auf das 2,5-Fache von pulse_hz setzen</translation>
     </message>
     <message>
         <source>has pulses longer than half a slot</source>
@@ -3444,6 +3444,10 @@
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Neigung</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ExportFinish</name>
@@ -3520,6 +3524,10 @@
         <translation>%1, %2 Bilder mit %3 Hz, %4, %5 Knochen, in %6</translation>
     </message>
     <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
         <source>Every joint is where it belongs.</source>
         <translation>Jedes Gelenk ist, wo es hingehört.</translation>
     </message>
@@ -3538,10 +3546,6 @@
     <message>
         <source>Not exported. %1</source>
         <translation>Nicht exportiert. %1</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>unter %1</translation>
     </message>
 </context>
 <context>
@@ -5690,6 +5694,14 @@
     <message>
         <source>Space stops it. Drag in the timeline to look at a moment, drag in the picture to look from elsewhere.</source>
         <translation>Die Leertaste hält sie an. Ziehen Sie in der Zeitleiste, um einen Moment anzusehen, und im Bild, um von anderswo zu schauen.</translation>
+    </message>
+    <message>
+        <source>Off the truth by %1.</source>
+        <translation>Abweichung von der Wahrheit: %1.</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
     </message>
 </context>
 <context>
