@@ -114,6 +114,11 @@ void MainWindow::make_actions() {
       [this] { take_actions_->choose_and_import(); });
   take_menu_->addMenu(recent_menu_);
   take_menu_->addSeparator();
+  QAction* details = add(take_menu_, QStringLiteral("rename"), tr("Details of the take…"), QKeySequence(),
+                         [this] { take_actions_->edit_details(); });
+  details->setObjectName(QStringLiteral("take_details"));
+  connect(take_menu_, &QMenu::aboutToShow, details,
+          [this, details] { details->setEnabled(context_.document().is_open()); });
   add(take_menu_, {}, tr("Close take"), QKeySequence::Close, [this] { context_.document().close(); });
 
   QAction* undo = context_.undo_stack().createUndoAction(this, tr("Undo"));
@@ -184,6 +189,7 @@ void MainWindow::follow_context() {
     }
   });
   connect(&context_.live(), &LiveModel::recording_changed, this, &MainWindow::update_title);
+  connect(&context_.document(), &TakeDocument::described, this, &MainWindow::update_title);
 }
 
 void MainWindow::show_docks() {
@@ -271,7 +277,7 @@ void MainWindow::update_title() {
   const QString name = context_.document().name();
   const QString program = QStringLiteral("Limbwave");
   QString title = name.isEmpty() ? program : tr("%1 – %2").arg(name, program);
-  if (context_.live().recording()) {
+  if (context_.live().recording() && !context_.live().aside()) {
     title = tr("● Recording – %1").arg(program);
   }
   setWindowTitle(title);
@@ -299,8 +305,10 @@ void MainWindow::show_shortcuts() {
 bool MainWindow::may_quit() {
   QString what, stop;
   if (context_.live().recording() || context_.live().starting()) {
-    what = tr("A take is being recorded. What is recorded until now is kept.");
-    stop = tr("Stop recording and quit");
+    const bool aside = context_.live().aside();
+    what = aside ? tr("A calibration is under way. What is not saved is lost.")
+                 : tr("A take is being recorded. What is recorded until now is kept.");
+    stop = aside ? tr("Leave it and quit") : tr("Stop recording and quit");
   } else {
     for (const Job* job : context_.jobs().jobs()) {
       if (job->elapsed_s() > 1.0) {
@@ -326,7 +334,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   // A recording is closed properly by the session's destructor.
-  if (context_.live().recording() && context_.live().snapshot()) {
+  if (context_.live().recording() && !context_.live().aside() && context_.live().snapshot()) {
     context_.recent_takes().add(QString::fromStdString(context_.live().snapshot()->take_folder.string()));
   }
   save_layout(*this, context_.settings());

@@ -26,6 +26,8 @@ class TakeActions : public QObject {
   void import_as(const QStringList& files, const QString& name, const QString& rig, const QString& subject);
   /// Opens the demo take of this motion, simulating it first when it is not on disk yet.
   void open_demo(const QString& motion);
+  /// Name, subject and sensors of the open take, to be changed.
+  void edit_details();
 
   /// Sorts what was dropped on the window into recordings to import and take folders to open; false: neither.
   static bool acceptable(const QList<QUrl>& urls);

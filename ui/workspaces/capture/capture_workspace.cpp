@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "common/core_services.h"
 #include "common/format.h"
 #include "common/theme.h"
 #include "common/widgets.h"
@@ -20,6 +21,13 @@
 #include "workspaces/capture/source_bar.h"
 
 namespace limbwave::ui {
+namespace {
+
+bool is_simulator(const acquire::DeviceInfo& device) {
+  return device.id.starts_with(kSimulatorPrefix);
+}
+
+}  // namespace
 
 CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
     : Workspace(parent),
@@ -47,8 +55,7 @@ CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
   connect(empty_refresh_, &QPushButton::clicked, &model_, &CaptureModel::refresh_devices);
   connect(empty_simulator_, &QPushButton::clicked, this, [this] {
     const auto& devices = model_.devices();
-    const auto found = std::find_if(devices.begin(), devices.end(),
-                                    [](const acquire::DeviceInfo& d) { return d.id.starts_with("simulator"); });
+    const auto found = std::find_if(devices.begin(), devices.end(), is_simulator);
     if (found != devices.end()) {
       model_.open_device(QString::fromStdString(found->id));
     }
@@ -176,9 +183,9 @@ void CaptureWorkspace::follow_state() {
     return;
   }
   center_->setCurrentWidget(empty_);
-  const bool simulator = std::any_of(model_.devices().begin(), model_.devices().end(),
-                                     [](const acquire::DeviceInfo& d) { return d.id.starts_with("simulator"); });
-  const bool others = model_.devices().size() > (simulator ? 1U : 0U);
+  const auto simulators = std::count_if(model_.devices().begin(), model_.devices().end(), is_simulator);
+  const bool simulator = simulators > 0;
+  const bool others = static_cast<std::ptrdiff_t>(model_.devices().size()) > simulators;
   if (live.state() == LiveState::kOpening || model_.searching()) {
     empty_->set_texts(model_.searching() ? tr("Looking for devices") : tr("Opening %1").arg(live.device_title()), {});
   } else if (!live.problem().isEmpty()) {

@@ -85,6 +85,7 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
   connect(&context_.live(), &LiveModel::recording_changed, this, &RecordPanel::refresh);
   connect(&context_.live(), &LiveModel::state_changed, this, &RecordPanel::refresh);
   connect(&context_.live(), &LiveModel::snapshot_changed, this, &RecordPanel::refresh_time);
+  connect(&context_, &StudioContext::disk_changed, this, &RecordPanel::refresh_time);
   refresh();
 }
 
@@ -95,15 +96,15 @@ void RecordPanel::focus_record() {
 void RecordPanel::choose_folder() {
   const QString folder = QFileDialog::getExistingDirectory(window(), tr("Folder for takes"), context_.takes_folder());
   if (!folder.isEmpty()) {
-    context_.set_takes_folder(folder);
-    model_.suggest_name();
+    model_.set_takes_folder(folder);
   }
 }
 
 void RecordPanel::refresh() {
   const LiveModel& live = context_.live();
-  const bool recording = live.recording();
-  const bool busy = live.starting() || live.finishing();
+  const bool aside = live.recording() && live.aside();
+  const bool recording = live.recording() && !aside;
+  const bool busy = live.starting() || live.finishing() || aside;
   record_->setText(recording ? tr("Stop") : tr("Record"));
   record_->setAccessibleName(recording ? tr("Stop recording") : tr("Record"));
   record_->setIcon(recording ? icon(QStringLiteral("stop")) : accent_icon(QStringLiteral("record")));
@@ -138,13 +139,15 @@ void RecordPanel::refresh() {
 void RecordPanel::refresh_time() {
   const LiveModel& live = context_.live();
   const auto& snapshot = live.snapshot();
-  const bool recording = live.recording();
+  const bool aside = live.aside() && (live.recording() || live.starting() || live.finishing());
+  const bool recording = live.recording() && !aside;
   time_->setText(format_clock_tenths(recording && snapshot ? snapshot->recorded_s : 0.0));
   time_->setForegroundRole(recording ? QPalette::Text : QPalette::PlaceholderText);
   if (recording && snapshot && snapshot->counters.overflows > 0) {
     state_->setText(tr("Recording, but samples are being lost"));
   } else {
-    state_->setText(recording                             ? tr("Recording")
+    state_->setText(aside                                 ? tr("A calibration is under way")
+                    : recording                           ? tr("Recording")
                     : live.finishing()                    ? tr("Closing the take")
                     : live.starting()                     ? tr("Making the take")
                     : model_.can_record()                 ? tr("Ready")
@@ -152,7 +155,8 @@ void RecordPanel::refresh_time() {
                     : live.state() == LiveState::kRunning ? tr("Not ready")
                                                           : tr("No device"));
   }
-  disk_->setText(tr("disk: %1").arg(format_left(context_.disk_left_s())));
+  const double left_s = context_.disk_left_s();
+  disk_->setText(left_s < 0.0 ? QString() : tr("disk: %1").arg(format_left(left_s)));
   disk_->setToolTip(tr("How long recording lasts until the disk is full"));
   const bool can = recording || model_.can_record();
   if (record_->isEnabled() != can && !live.starting() && !live.finishing()) {

@@ -210,6 +210,7 @@ void ExportWorkspace::follow() {
     }
     show_take();
   });
+  connect(&context_.document(), &TakeDocument::described, this, &ExportWorkspace::show_take);
   for (QComboBox* box : {solves_, formats_, rates_, units_, ranges_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &ExportWorkspace::show_plan);
   }

@@ -77,6 +77,7 @@ SolveModel::SolveModel(StudioContext& context, SolveServices services)
     }
   });
   connect(&context_.document(), &TakeDocument::changed, this, &SolveModel::follow_document);
+  connect(&context_.document(), &TakeDocument::described, this, [this] { take_ = context_.document().take(); });
   connect(qApp, &QCoreApplication::aboutToQuit, this, [this] {
     if (unsaved_ && solve_ && take_) {
       (void)writer_->write(writer_->issue(), take_->folder.string(),
