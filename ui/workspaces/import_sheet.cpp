@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "common/format.h"
+#include "common/widgets.h"
 
 namespace limbwave::ui {
 
@@ -56,6 +57,10 @@ ImportSheet::ImportSheet(StudioContext& context, const QStringList& files, QWidg
   add_row(tr("Rig"), rig_);
   subject_ = add_line(tr("Subject"), QStringLiteral("import_subject"), context_.wearer(), tr("Who wore the sensors"));
   subject_->setToolTip(tr("The mounting of this person in the calibration library is used"));
+  QLabel* learn = link_label(tr("Learn how to record without a computer"), this);
+  add_wide(learn);
+  connect(learn, &QLabel::linkActivated, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("recorder")); });
   verb()->setObjectName(QStringLiteral("import_button"));
   connect(name_, &QLineEdit::textChanged, this, &ImportSheet::check);
   check();

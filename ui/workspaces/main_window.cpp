@@ -16,8 +16,10 @@
 
 #include "common/icons.h"
 #include "common/theme.h"
+#include "workspaces/dock_title.h"
 #include "workspaces/job_bar.h"
 #include "workspaces/layout_store.h"
+#include "workspaces/manual_window.h"
 #include "workspaces/message_bar.h"
 #include "workspaces/mode_bar.h"
 #include "workspaces/shortcut_sheet.h"
@@ -79,6 +81,7 @@ void MainWindow::make_docks() {
   inspector_pages_ = new QStackedWidget(inspector_dock_);
   inspector_pages_->setMinimumWidth(32 * kGrid);
   inspector_dock_->setWidget(inspector_pages_);
+  inspector_dock_->setTitleBarWidget(new DockTitle(inspector_dock_));
   addDockWidget(Qt::RightDockWidgetArea, inspector_dock_);
   inspector_dock_->hide();
   inspector_dock_->installEventFilter(this);
@@ -86,6 +89,7 @@ void MainWindow::make_docks() {
     timeline_dock_ = new QDockWidget(tr("Timeline"), this);
     timeline_dock_->setObjectName(QStringLiteral("timeline"));
     timeline_dock_->setWidget(parts_.timeline(context_, timeline_dock_));
+    timeline_dock_->setTitleBarWidget(new DockTitle(timeline_dock_));
     addDockWidget(Qt::BottomDockWidgetArea, timeline_dock_);
     timeline_dock_->hide();
     timeline_dock_->installEventFilter(this);
@@ -159,9 +163,16 @@ void MainWindow::make_actions() {
   main_menu_->addSeparator();
   QAction* help =
       add(main_menu_, QStringLiteral("help"), tr("Keyboard shortcuts"), QKeySequence(), [this] { show_shortcuts(); });
-  help->setShortcuts(
-      {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)});
+  help->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_Question)});
   strip_->add_action_button(help);
+  add(main_menu_, QStringLiteral("info"), tr("Manual"), QKeySequence(Qt::Key_F1), [this] {
+    // Where one is, is what one wants to read about.
+    const QString here = current_workspace();
+    show_manual(here == QLatin1String("capture")     ? QStringLiteral("levels")
+                : here == QLatin1String("calibrate") ? QStringLiteral("range")
+                : here == QLatin1String("welcome")   ? QStringLiteral("overview")
+                                                     : QStringLiteral("exporting"));
+  });
   main_menu_->addSeparator();
   add(main_menu_, {}, tr("Quit"), QKeySequence::Quit, [this] { close(); });
 
@@ -175,6 +186,10 @@ void MainWindow::make_actions() {
 
 void MainWindow::follow_context() {
   connect(&context_, &StudioContext::reveal_requested, this, [this](const QString& id, const QString& topic) {
+    if (id == QLatin1String("manual")) {
+      show_manual(topic);
+      return;
+    }
     // Where a workspace does not exist, Capture shows the trouble itself.
     const bool shown = show_workspace(id) || show_workspace(QStringLiteral("capture"));
     if (shown && current_ >= 0 && !topic.isEmpty()) {
@@ -300,6 +315,17 @@ void MainWindow::show_shortcuts() {
   auto* sheet = new ShortcutSheet(shortcut_groups(parts_), this);
   sheet->setAttribute(Qt::WA_DeleteOnClose);
   sheet->open();
+}
+
+void MainWindow::show_manual(const QString& chapter) {
+  if (!manual_) {
+    manual_ = new ManualWindow(shortcut_groups(parts_), this);
+    manual_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  manual_->show_chapter(chapter);
+  manual_->show();
+  manual_->raise();
+  manual_->activateWindow();
 }
 
 bool MainWindow::may_quit() {

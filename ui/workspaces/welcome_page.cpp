@@ -78,6 +78,10 @@ WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* 
   connect(import, &QPushButton::clicked, this, [this] { actions_.choose_and_import(); });
   auto* open = add_button(QStringLiteral("folder"), tr("Open take"), tr("A folder that ends in .take"), false);
   connect(open, &QPushButton::clicked, this, [this] { actions_.choose_and_open(); });
+  auto* manual = add_button(QStringLiteral("help"), tr("Manual"), tr("From the wiring to the animation (F1)"), false);
+  manual->setObjectName(QStringLiteral("welcome_manual"));
+  connect(manual, &QPushButton::clicked, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("overview")); });
   buttons->addWidget(dim_label(tr("or drop recordings and takes anywhere on this window"), content));
   buttons->addStretch();
   column->addLayout(buttons);

@@ -52,6 +52,8 @@ CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
   empty_refresh_->setObjectName(QStringLiteral("empty_refresh"));
   empty_simulator_ = empty_->add_button(tr("Use the simulator"), true);
   empty_simulator_->setObjectName(QStringLiteral("use_simulator"));
+  connect(empty_->add_link(tr("Learn how the board is connected")), &QLabel::linkActivated, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("wiring")); });
   connect(empty_refresh_, &QPushButton::clicked, &model_, &CaptureModel::refresh_devices);
   connect(empty_simulator_, &QPushButton::clicked, this, [this] {
     const auto& devices = model_.devices();
