@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and opens the studio on a demo take. Without a display it runs the same demo through
 # the command line and says where it left the files and pictures. Usage: packaging/run.sh [TAKE]
+# LIMBWAVE_PRESET names another preset of CMakePresets.json than "release".
 set -euo pipefail
 top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 packaging/install_dependencies.sh build run
 
-build=build/release
-[[ -f $build/build.ninja ]] || cmake --preset release >"$top/.configure.log" 2>&1 || { cat "$top/.configure.log"; exit 1; }
+build=build/${LIMBWAVE_PRESET:-release}
+[[ -f $build/build.ninja ]] || cmake --preset "${LIMBWAVE_PRESET:-release}" >"$top/.configure.log" 2>&1 || { cat "$top/.configure.log"; exit 1; }
 rm -f "$top/.configure.log"
 echo "run.sh: building (minutes at the first start, seconds later)"
 cmake --build $build >"$build/build.log" 2>&1 || { tail -n 40 "$build/build.log"; echo "run.sh: the build failed; the whole log is $build/build.log" >&2; exit 1; }

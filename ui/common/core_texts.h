@@ -2,12 +2,11 @@
 #pragma once
 
 #include <QtGlobal>
-#include <array>
 
 // clang-format off
 namespace limbwave::ui {
 
-inline constexpr std::array kCoreTexts{
+inline constexpr const char* kCoreTexts[] = {
     // core/base
     QT_TRANSLATE_NOOP("Core", "cannot be written"),
     QT_TRANSLATE_NOOP("Core", "writing failed"),
