@@ -723,20 +723,12 @@
         <translation>steht nicht senkrecht auf der ersten Pose</translation>
     </message>
     <message>
-        <source>is &quot;%1&quot;, which another accelerometer has already</source>
-        <translation>ist „%1“, so heißt schon ein anderer Beschleunigungssensor</translation>
-    </message>
-    <message>
         <source>has %1 entries, but %2 slots carry %3 sensors</source>
         <translation>hat %1 Einträge, aber %2 Zeitfächer tragen %3 Sensoren</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which is no segment of skeleton &quot;%2&quot;</source>
         <translation>ist „%1“, das ist kein Segment des Skeletts „%2“</translation>
-    </message>
-    <message>
-        <source>%1: /accelerometers/%2/segment</source>
-        <translation>%1: /accelerometers/%2/segment</translation>
     </message>
     <message>
         <source>name one of its segments</source>
@@ -1790,6 +1782,90 @@
         <source>the take&apos;s own %1 calibration is poor: %2</source>
         <translation>die eigene %1-Kalibrierung des Takes ist schlecht: %2</translation>
     </message>
+    <message>
+        <source>there is no output for sound</source>
+        <translation>es gibt keinen Tonausgang</translation>
+    </message>
+    <message>
+        <source>connect a loudspeaker or headphones</source>
+        <translation>schließen Sie Lautsprecher oder Kopfhörer an</translation>
+    </message>
+    <message>
+        <source>the output cannot be used (%1)</source>
+        <translation>der Ausgang lässt sich nicht verwenden (%1)</translation>
+    </message>
+    <message>
+        <source>is more than 10 m off</source>
+        <translation>liegt mehr als 10 m entfernt</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which another %2 has already</source>
+        <translation>ist „%1“, so heißt schon ein anderer Eintrag (%2)</translation>
+    </message>
+    <message>
+        <source>has a pulse_hz of %1, too close to half the sample rate</source>
+        <translation>hat ein pulse_hz von %1, zu nahe an der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>use a rate_hz of at least 2.5 times pulse_hz</source>
+        <translation>verwenden Sie ein rate_hz von mindestens dem 2,5-Fachen von pulse_hz</translation>
+    </message>
+    <message>
+        <source>has pulses longer than half a slot</source>
+        <translation>hat Pulse, die länger als ein halber Schlitz sind</translation>
+    </message>
+    <message>
+        <source>use fewer pulse_cycles or more slot_samples</source>
+        <translation>verwenden Sie weniger pulse_cycles oder mehr slot_samples</translation>
+    </message>
+    <message>
+        <source>has %1 entries, but %2 microphones have a wire each</source>
+        <translation>hat %1 Einträge, aber %2 Mikrofone haben je eine Leitung</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, but the microphone of this wire is &quot;%2&quot;</source>
+        <translation>ist „%1“, aber das Mikrofon dieser Leitung ist „%2“</translation>
+    </message>
+    <message>
+        <source>%1: /%2/%3/segment</source>
+        <translation>%1: /%2/%3/segment</translation>
+    </message>
+    <message>
+        <source>stands beside line_in</source>
+        <translation>steht neben line_in</translation>
+    </message>
+    <message>
+        <source>a rig has one or the other</source>
+        <translation>ein Rig hat das eine oder das andere</translation>
+    </message>
+    <message>
+        <source>has %1 entries</source>
+        <translation>hat %1 Einträge</translation>
+    </message>
+    <message>
+        <source>a driver box has 1 to 64 wires</source>
+        <translation>eine Treiberbox hat 1 bis 64 Leitungen</translation>
+    </message>
+    <message>
+        <source>a driver box has up to 64 sources</source>
+        <translation>eine Treiberbox hat bis zu 64 Quellen</translation>
+    </message>
+    <message>
+        <source>lies more than 10 m off</source>
+        <translation>liegt mehr als 10 m entfernt</translation>
+    </message>
+    <message>
+        <source>does not name every place of the rig once</source>
+        <translation>nennt nicht jede Stelle des Rigs genau einmal</translation>
+    </message>
+    <message>
+        <source>the sensors&apos; places</source>
+        <translation>die Stellen der Sensoren</translation>
+    </message>
+    <message>
+        <source>give every sensor its own place</source>
+        <translation>geben Sie jedem Sensor seine eigene Stelle</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -2041,6 +2117,45 @@
     </message>
 </context>
 <context>
+    <name>Manual</name>
+    <message>
+        <source>From sensors to an animation</source>
+        <translation>Von den Sensoren zur Animation</translation>
+    </message>
+    <message>
+        <source>Wiring and the signal</source>
+        <translation>Verkabelung und Signal</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Calibrating the range</source>
+        <translation>Den Messbereich kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrating the mounting</source>
+        <translation>Den Sitz kalibrieren</translation>
+    </message>
+    <message>
+        <source>Recording alone</source>
+        <translation>Allein aufnehmen</translation>
+    </message>
+    <message>
+        <source>With a portable recorder</source>
+        <translation>Mit einem tragbaren Rekorder</translation>
+    </message>
+    <message>
+        <source>Solving and exporting</source>
+        <translation>Berechnen und exportieren</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
     <name>Motions</name>
     <message>
         <source>Waving</source>
@@ -2101,6 +2216,22 @@
     <message>
         <source>From the simulator</source>
         <translation>Aus dem Simulator</translation>
+    </message>
+    <message>
+        <source>Turning the sensors</source>
+        <translation>Sensoren drehen</translation>
+    </message>
+    <message>
+        <source>For the range calibration</source>
+        <translation>Für die Kalibrierung des Messbereichs</translation>
+    </message>
+    <message>
+        <source>Holding the poses</source>
+        <translation>Posen halten</translation>
+    </message>
+    <message>
+        <source>For the mounting calibration</source>
+        <translation>Für die Kalibrierung des Sitzes</translation>
     </message>
 </context>
 <context>
@@ -2530,6 +2661,14 @@
         <source>latency %1 ms</source>
         <translation>Verzug %1 ms</translation>
     </message>
+    <message>
+        <source>calibrating</source>
+        <translation>wird kalibriert</translation>
+    </message>
+    <message>
+        <source>A calibration is under way; its raw signals are kept in a take of their own.</source>
+        <translation>Eine Kalibrierung läuft; ihre Rohsignale werden in einem eigenen Take aufgehoben.</translation>
+    </message>
 </context>
 <context>
     <name>TakeSegments</name>
@@ -2568,10 +2707,6 @@
         <translation>Kalibrierungen werden je Sensor aufbewahrt. Benennen Sie die Platine an %1, damit nie die einer anderen für ihre gehalten werden. Tragen die Sensoren Seriennummern, geben Sie sie ein: Dann behalten sie ihre Kalibrierung an jeder Platine.</translation>
     </message>
     <message>
-        <source>Name of the board</source>
-        <translation>Name der Platine</translation>
-    </message>
-    <message>
         <source>As written on it, such as “Lab 2”</source>
         <translation>Wie er darauf steht, etwa „Labor 2“</translation>
     </message>
@@ -2580,20 +2715,8 @@
         <translation>Platine</translation>
     </message>
     <message>
-        <source>Serial of %1</source>
-        <translation>Seriennummer von %1</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
         <source>Keep</source>
         <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>%1 is entered for two sensors.</source>
-        <translation>%1 ist bei zwei Sensoren eingetragen.</translation>
     </message>
 </context>
 <context>
@@ -2883,6 +3006,10 @@
         <source>Calibration from a recording</source>
         <translation>Kalibrierung aus einer Aufnahme</translation>
     </message>
+    <message>
+        <source>Learn how sensors are calibrated</source>
+        <translation>So werden Sensoren kalibriert</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CalibrationDesk</name>
@@ -2989,6 +3116,26 @@
         <source>The verdicts of %1 are not saved yet.</source>
         <translation>Die Urteile zu %1 sind noch nicht gespeichert.</translation>
     </message>
+    <message>
+        <source>Test the sound</source>
+        <translation>Ton testen</translation>
+    </message>
+    <message>
+        <source>Plays the end of a countdown through the computer&apos;s output</source>
+        <translation>Spielt das Ende eines Countdowns über den Ausgang des Rechners</translation>
+    </message>
+    <message>
+        <source>Three sounds were played: two short ones, then a long one for “hold still”.</source>
+        <translation>Drei Töne wurden gespielt: zwei kurze, dann ein langer für „stillhalten“.</translation>
+    </message>
+    <message>
+        <source>No sound can be played: %1</source>
+        <translation>Es lässt sich kein Ton abspielen: %1</translation>
+    </message>
+    <message>
+        <source>Learn how</source>
+        <translation>So geht es</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CaptureModel</name>
@@ -3011,6 +3158,34 @@
     <message>
         <source>name of the take</source>
         <translation>Name des Takes</translation>
+    </message>
+    <message>
+        <source>Reading the rig</source>
+        <translation>Rig wird gelesen</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Reading the board</source>
+        <translation>Platine wird gelesen</translation>
+    </message>
+    <message>
+        <source>The board cannot be read</source>
+        <translation>Die Platine lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>sensor board</source>
+        <translation>Sensorplatine</translation>
+    </message>
+    <message>
+        <source>The board cannot be kept</source>
+        <translation>Die Platine lässt sich nicht speichern</translation>
+    </message>
+    <message>
+        <source>folder for takes</source>
+        <translation>Ordner für Takes</translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3270,10 @@
         <source>In the signal: move the selected marker by 10 ms, with Ctrl by 100 ms</source>
         <translation>Im Signal: die gewählte Marke um 10 ms verschieben, mit Strg um 100 ms</translation>
     </message>
+    <message>
+        <source>Learn how the board is connected</source>
+        <translation>So wird die Platine angeschlossen</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CurvesPanel</name>
@@ -3113,6 +3292,21 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::DockTitle</name>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Put %1 back into the window</source>
+        <translation>%1 zurück ins Fenster holen</translation>
+    </message>
+    <message>
+        <source>Show %1 in a window of its own</source>
+        <translation>%1 in einem eigenen Fenster zeigen</translation>
     </message>
 </context>
 <context>
@@ -3364,10 +3558,6 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>Name of the take</source>
-        <translation>Name des Takes</translation>
-    </message>
-    <message>
         <source>Rig</source>
         <translation>Rig</translation>
     </message>
@@ -3394,6 +3584,10 @@
     <message>
         <source>Import</source>
         <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Learn how to record without a computer</source>
+        <translation>So wird ohne Rechner aufgenommen</translation>
     </message>
 </context>
 <context>
@@ -3467,6 +3661,10 @@
     <message>
         <source>Right: clock</source>
         <translation>Rechts: Takt</translation>
+    </message>
+    <message>
+        <source>Learn how to set the level</source>
+        <translation>So wird der Pegel eingestellt</translation>
     </message>
 </context>
 <context>
@@ -3886,6 +4084,40 @@
     <message>
         <source>Go on</source>
         <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Details of the take…</source>
+        <translation>Angaben zum Take …</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>A calibration is under way. What is not saved is lost.</source>
+        <translation>Eine Kalibrierung läuft. Was nicht gespeichert ist, geht verloren.</translation>
+    </message>
+    <message>
+        <source>Leave it and quit</source>
+        <translation>Abbrechen und beenden</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ManualBrowser</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
     </message>
 </context>
 <context>
@@ -4489,6 +4721,10 @@
         <source>%1 &lt;a href=&quot;calibrate&quot;&gt;Calibrate&lt;/a&gt;</source>
         <translation>%1 &lt;a href=&quot;calibrate&quot;&gt;Kalibrieren&lt;/a&gt;</translation>
     </message>
+    <message>
+        <source>A calibration is under way</source>
+        <translation>Eine Kalibrierung läuft</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SaveQueue</name>
@@ -4595,6 +4831,37 @@
     <message>
         <source>now</source>
         <translation>jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SensorTable</name>
+    <message>
+        <source>Socket</source>
+        <translation>Buchse</translation>
+    </message>
+    <message>
+        <source>Worn on</source>
+        <translation>Getragen an</translation>
+    </message>
+    <message>
+        <source>Serial</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Where the sensor in socket %1 is worn</source>
+        <translation>Wo der Sensor in Buchse %1 getragen wird</translation>
+    </message>
+    <message>
+        <source>Serial of the sensor in socket %1</source>
+        <translation>Seriennummer des Sensors in Buchse %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 is entered for two sensors.</source>
+        <translation>%1 ist bei zwei Sensoren eingetragen.</translation>
     </message>
 </context>
 <context>
@@ -4707,10 +4974,6 @@
         <translation>Vollbild</translation>
     </message>
     <message>
-        <source>This sheet</source>
-        <translation>Diese Übersicht</translation>
-    </message>
-    <message>
         <source>Timeline</source>
         <translation>Zeitleiste</translation>
     </message>
@@ -4729,6 +4992,14 @@
     <message>
         <source>Quit</source>
         <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>The manual</source>
+        <translation>Das Handbuch</translation>
+    </message>
+    <message>
+        <source>All keyboard shortcuts</source>
+        <translation>Alle Tastenkürzel</translation>
     </message>
 </context>
 <context>
@@ -4995,20 +5266,8 @@
         <translation>Eingänge</translation>
     </message>
     <message>
-        <source>Name the sensor board on this device</source>
-        <translation>Die Sensorplatine an diesem Gerät benennen</translation>
-    </message>
-    <message>
-        <source>Rig %1</source>
-        <translation>Rig %1</translation>
-    </message>
-    <message>
-        <source>The list of boards cannot be read</source>
-        <translation>Die Liste der Platinen ist nicht lesbar</translation>
-    </message>
-    <message>
-        <source>The board cannot be kept</source>
-        <translation>Die Platine lässt sich nicht speichern</translation>
+        <source>Name the sensor board, and say which sensor is worn where</source>
+        <translation>Die Sensorplatine benennen und sagen, welcher Sensor wo getragen wird</translation>
     </message>
 </context>
 <context>
@@ -5282,12 +5541,82 @@
         <source>Making the demo take “%1”</source>
         <translation>Demo-Take „%1“ wird erzeugt</translation>
     </message>
+    <message>
+        <source>A calibration is under way.</source>
+        <translation>Eine Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>Finish or leave it before another take is opened.</source>
+        <translation>Beenden oder verlassen Sie sie, bevor ein anderer Take geöffnet wird.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::TakeDocument</name>
     <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TakeEdits</name>
+    <message>
+        <source>The sensors stay as they are</source>
+        <translation>Die Sensoren bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>sensors of the take</source>
+        <translation>Sensoren des Takes</translation>
+    </message>
+    <message>
+        <source>details of the take</source>
+        <translation>Angaben zum Take</translation>
+    </message>
+    <message>
+        <source>subject of the take</source>
+        <translation>Person des Takes</translation>
+    </message>
+    <message>
+        <source>name of the take</source>
+        <translation>Name des Takes</translation>
+    </message>
+    <message>
+        <source>The take is called %1 as soon as nothing works on it any more.</source>
+        <translation>Der Take heißt %1, sobald nichts mehr an ihm arbeitet.</translation>
+    </message>
+    <message>
+        <source>The take keeps its name</source>
+        <translation>Der Take behält seinen Namen</translation>
+    </message>
+    <message>
+        <source>The change is not saved in the take</source>
+        <translation>Die Änderung ist nicht im Take gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TakeSheet</name>
+    <message>
+        <source>Details of the take</source>
+        <translation>Angaben zum Take</translation>
+    </message>
+    <message>
+        <source>The signals stay as they were recorded. When sensors were mixed up, say here which one was worn where: the take is solved anew.</source>
+        <translation>Die Signale bleiben, wie sie aufgenommen wurden. Wurden Sensoren vertauscht, sagen Sie hier, welcher wo getragen wurde: Der Take wird neu berechnet.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Take</translation>
+    </message>
+    <message>
+        <source>Subject</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Who wore the sensors</source>
+        <translation>Wer die Sensoren trug</translation>
     </message>
 </context>
 <context>
@@ -5534,6 +5863,14 @@
     <message>
         <source>Try it without hardware</source>
         <translation>Ohne Hardware ausprobieren</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>From the wiring to the animation (F1)</source>
+        <translation>Von der Verkabelung zur Animation (F1)</translation>
     </message>
 </context>
 <context>

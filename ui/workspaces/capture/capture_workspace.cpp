@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "common/core_services.h"
 #include "common/format.h"
@@ -173,6 +174,11 @@ void CaptureWorkspace::activate() {
   }
 }
 
+void CaptureWorkspace::deactivate() {
+  // Elsewhere nobody needs to be told how to get there.
+  context_.notifications().dismiss(std::exchange(announced_, 0));
+}
+
 void CaptureWorkspace::follow_state() {
   const LiveModel& live = context_.live();
   if (scope_->property("names").toStringList() != model_.sensor_names()) {
@@ -217,9 +223,12 @@ void CaptureWorkspace::follow_snapshot() {
 }
 
 void CaptureWorkspace::announce(const take::Take& take) {
+  if (!isVisible()) {
+    return;
+  }
   const double seconds =
       take.info.format.rate.hz > 0.0 ? static_cast<double>(take.info.frames) / take.info.format.rate.hz : 0.0;
-  context_.notifications().post(
+  announced_ = context_.notifications().post(
       Severity::kInfo,
       tr("%1 is recorded: %2.").arg(QString::fromStdString(take.folder.stem().string()), format_clock_tenths(seconds)),
       {}, tr("Solve it"), [this] { context_.reveal(QStringLiteral("solve")); });
