@@ -3540,6 +3540,13 @@
     </message>
 </context>
 <context>
+    <name>limbwave::ui::FormSheet</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>limbwave::ui::ImportSheet</name>
     <message>
         <source>Import recordings</source>

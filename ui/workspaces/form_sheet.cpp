@@ -30,7 +30,8 @@ FormSheet::FormSheet(const QString& title, const QString& sentence, const QStrin
   problem_->setWordWrap(true);
   problem_->hide();
   layout_->addWidget(problem_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  auto* buttons = new QDialogButtonBox(this);
+  buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
   verb_ = buttons->addButton(verb, QDialogButtonBox::AcceptRole);
   verb_->setProperty("primary", true);
   layout_->addWidget(buttons);
