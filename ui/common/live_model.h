@@ -69,6 +69,7 @@ class LiveModel : public QObject {
   [[nodiscard]] const QString& wearer() const { return wearer_; }
   /// The device was unplugged: what it last sent still shows, and it can be opened again.
   [[nodiscard]] bool lost() const { return running() && snapshot_ && !snapshot_->source_alive; }
+  /// Rotations about the vertical, per segment; faces go through LiveHeadings (workspaces/solve).
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings);
 
   /// A viewer has shown a pose: the times of its figure, with `taken` and `drawn`.

@@ -2,9 +2,14 @@
 
 #include <QDir>
 #include <QStorageInfo>
+#include <atomic>
 #include <thread>
 
 namespace limbwave::ui {
+
+/// Bytes free on the disk of the takes folder, as far as it has answered.
+std::atomic<bool> asking{false};
+};
 
 StudioContext::StudioContext(StudioServices services, const QString& settings_folder, QObject* parent)
     : QObject(parent),

@@ -61,8 +61,8 @@ class StudioContext : public QObject {
   [[nodiscard]] double disk_left_s();
 
   /// Shows a workspace ("capture", "calibrate", "solve", "export", "welcome") and there the place of a topic: "record",
-  /// "devices", "sensors", "sensor:2", "line", "disk", "latency", or one of the workspace's own. "manual" is the manual,
-  /// its topics are the chapters: "levels".
+  /// "devices", "sensors", "sensor:2", "line", "disk", "latency", or one of the workspace's own. "manual" is the
+  /// manual, its topics are the chapters: "levels".
   void reveal(const QString& workspace, const QString& topic = {}) { Q_EMIT reveal_requested(workspace, topic); }
 
  Q_SIGNALS:

@@ -29,6 +29,9 @@ std::vector<ShortcutGroup> shortcut_groups(const StudioParts& parts) {
        {QStringLiteral("F1"), ShortcutSheet::tr("The manual")},
        {QStringLiteral("? / Shift+?"), ShortcutSheet::tr("All keyboard shortcuts")},
        {QStringLiteral("Ctrl+Q"), ShortcutSheet::tr("Quit")}}};
+  for (const StudioAction& action : parts.actions) {
+    everywhere.shortcuts.push_back({action.keys.toString(QKeySequence::NativeText), action.what});
+  }
   std::vector<ShortcutGroup> groups{std::move(everywhere)};
   for (const WorkspaceEntry& entry : parts.workspaces) {
     if (!entry.shortcuts.empty()) {
