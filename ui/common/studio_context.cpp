@@ -7,8 +7,6 @@
 
 namespace limbwave::ui {
 
-/// Bytes free on the disk of the takes folder, as far as it has answered.
-std::atomic<bool> asking{false};
 };
 
 StudioContext::StudioContext(StudioServices services, const QString& settings_folder, QObject* parent)
