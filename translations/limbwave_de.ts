@@ -2703,17 +2703,6 @@
     </message>
 </context>
 <context>
-    <name>StudioContext</name>
-    <message>
-        <source>%1 cannot be opened</source>
-        <translation type="unfinished">%1 lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>The recording failed. %1</source>
-        <translation type="unfinished">Die Aufnahme ist gescheitert. %1</translation>
-    </message>
-</context>
-<context>
     <name>TakeSegments</name>
     <message>
         <source>Sensors are turned</source>
@@ -5660,6 +5649,17 @@
     <message>
         <source>What is recorded is kept. If it happens again, start the studio anew.</source>
         <translation>Was aufgenommen ist, bleibt erhalten. Geschieht es wieder, starten Sie das Studio neu.</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::StudioContext</name>
+    <message>
+        <source>%1 cannot be opened</source>
+        <translation>%1 lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>The recording failed. %1</source>
+        <translation>Die Aufnahme ist gescheitert. %1</translation>
     </message>
 </context>
 <context>

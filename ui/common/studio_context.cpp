@@ -2,12 +2,10 @@
 
 #include <QDir>
 #include <QStorageInfo>
-#include <atomic>
 #include <thread>
+#include <utility>
 
 namespace limbwave::ui {
-
-};
 
 StudioContext::StudioContext(StudioServices services, const QString& settings_folder, QObject* parent)
     : QObject(parent),
