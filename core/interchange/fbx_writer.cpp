@@ -332,18 +332,8 @@ class FbxBuilder {
 
 Status write_fbx(std::span<const motion::Clip* const> clips, const std::filesystem::path& path,
                  const FbxWriteOptions& options, const Progress& progress) {
-  if (clips.empty()) {
-    return Error{"there is no clip to write", path.string(), "solve a take first"};
-  }
-  for (const motion::Clip* clip : clips) {
-    if (Status status = check_clip(*clip); !status) {
-      return status;
-    }
-    for (const auto& mesh : clip->meshes) {
-      if (Status status = motion::validate(*mesh, clip->skeleton); !status) {
-        return status;
-      }
-    }
+  if (Status status = check_actors(clips, path.string()); !status) {
+    return status;
   }
   const double fps = options.fps > 0.0 ? options.fps : clips.front()->frame_rate_hz;
   if (!(fps > 0.0 && fps <= kHighestFrameRate) || !(options.fps >= 0.0)) {
