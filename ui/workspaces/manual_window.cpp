@@ -104,6 +104,11 @@ void ManualBrowser::show_markdown(const QString& markdown) {
   document()->setDocumentMargin(4 * kGrid);
   setMarkdown(markdown);
   // Markdown knows nothing of how wide a line may be or how much air a table needs.
+  struct Span {
+    int position, length;
+    int heading;  ///< Its level; 0: a link.
+  };
+  std::vector<Span> spans;  // first found, then changed: changing joins and splits what is walked over
   QTextCursor cursor(document());
   cursor.beginEditBlock();
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
@@ -117,21 +122,24 @@ void ManualBrowser::show_markdown(const QString& markdown) {
     }
     QTextCursor(block).setBlockFormat(format);
     for (auto it = block.begin(); !it.atEnd(); ++it) {
-      QTextCharFormat characters = it.fragment().charFormat();
-      if (characters.isAnchor() || format.headingLevel() > 0) {
-        QTextCursor span(document());
-        span.setPosition(it.fragment().position());
-        span.setPosition(it.fragment().position() + it.fragment().length(), QTextCursor::KeepAnchor);
-        QTextCharFormat better;
-        if (characters.isAnchor()) {
-          better.setForeground(theme.accent);
-        } else {
-          better.setProperty(QTextFormat::FontPixelSize, format.headingLevel() == 1 ? 26 : 18);
-          better.setFontWeight(QFont::DemiBold);
-        }
-        span.mergeCharFormat(better);
+      const bool anchor = it.fragment().charFormat().isAnchor();
+      if (anchor || format.headingLevel() > 0) {
+        spans.push_back({it.fragment().position(), it.fragment().length(), anchor ? 0 : format.headingLevel()});
       }
     }
+  }
+  for (const Span& span : spans) {
+    QTextCursor words(document());
+    words.setPosition(span.position);
+    words.setPosition(span.position + span.length, QTextCursor::KeepAnchor);
+    QTextCharFormat better;
+    if (span.heading == 0) {
+      better.setForeground(theme.accent);
+    } else {
+      better.setProperty(QTextFormat::FontPixelSize, span.heading == 1 ? 26 : 18);
+      better.setFontWeight(QFont::DemiBold);
+    }
+    words.mergeCharFormat(better);
   }
   for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
     if (auto* table = qobject_cast<QTextTable*>(frame)) {
