@@ -1791,40 +1791,28 @@
         <translation>die Haltungen genauer einnehmen, dann wird es besser</translation>
     </message>
     <message>
-        <source>there is no output for sound</source>
-        <translation>es gibt keinen Tonausgang</translation>
-    </message>
-    <message>
-        <source>connect a loudspeaker or headphones</source>
-        <translation>schließen Sie Lautsprecher oder Kopfhörer an</translation>
-    </message>
-    <message>
-        <source>the output cannot be used (%1)</source>
-        <translation>der Ausgang lässt sich nicht verwenden (%1)</translation>
-    </message>
-    <message>
         <source>is more than 10 m off</source>
         <translation>liegt mehr als 10 m entfernt</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which another %2 has already</source>
-        <translation>ist „%1“, so heißt schon ein anderer Eintrag (%2)</translation>
+        <translation>ist „%1“, was schon ein anderer Eintrag hat (%2)</translation>
     </message>
     <message>
         <source>has a pulse_hz of %1, too close to half the sample rate</source>
-        <translation>hat ein pulse_hz von %1, zu nahe an der halben Abtastrate</translation>
+        <translation>hat pulse_hz %1, zu nah an der halben Abtastrate</translation>
     </message>
     <message>
         <source>use a rate_hz of at least 2.5 times pulse_hz</source>
-        <translation>verwenden Sie ein rate_hz von mindestens dem 2,5-Fachen von pulse_hz</translation>
+        <translation>rate_hz mindestens auf das 2,5-Fache von pulse_hz setzen</translation>
     </message>
     <message>
         <source>has pulses longer than half a slot</source>
-        <translation>hat Pulse, die länger als ein halber Schlitz sind</translation>
+        <translation>hat Pulse, die länger als ein halber Zeitschlitz sind</translation>
     </message>
     <message>
         <source>use fewer pulse_cycles or more slot_samples</source>
-        <translation>verwenden Sie weniger pulse_cycles oder mehr slot_samples</translation>
+        <translation>weniger pulse_cycles oder mehr slot_samples verwenden</translation>
     </message>
     <message>
         <source>has %1 entries, but %2 microphones have a wire each</source>
@@ -1861,6 +1849,18 @@
     <message>
         <source>lies more than 10 m off</source>
         <translation>liegt mehr als 10 m entfernt</translation>
+    </message>
+    <message>
+        <source>there is no output for sound</source>
+        <translation>es gibt keinen Tonausgang</translation>
+    </message>
+    <message>
+        <source>connect a loudspeaker or headphones</source>
+        <translation>schließen Sie Lautsprecher oder Kopfhörer an</translation>
+    </message>
+    <message>
+        <source>the output cannot be used (%1)</source>
+        <translation>der Ausgang lässt sich nicht verwenden (%1)</translation>
     </message>
     <message>
         <source>does not name every place of the rig once</source>
@@ -3360,6 +3360,10 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Neigung</translation>
     </message>
 </context>
 <context>
@@ -5328,6 +5332,14 @@
     <message>
         <source>Space stops it. Drag in the timeline to look at a moment, drag in the picture to look from elsewhere.</source>
         <translation>Die Leertaste hält sie an. Ziehen Sie in der Zeitleiste, um einen Moment anzusehen, und im Bild, um von anderswo zu schauen.</translation>
+    </message>
+    <message>
+        <source>Off the truth by %1.</source>
+        <translation>Abweichung von der Wahrheit: %1.</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
     </message>
 </context>
 <context>

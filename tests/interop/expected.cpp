@@ -90,7 +90,10 @@ class Builder {
       }
     }
     json_["joints"] = how_.keep_names ? joints : made_unique(joints);
-    json_["meshes"] = made_unique(meshes);
+    std::vector<std::string> all = joints;
+    all.insert(all.end(), meshes.begin(), meshes.end());
+    all = made_unique(all);
+    json_["meshes"] = std::vector<std::string>(all.begin() + static_cast<std::ptrdiff_t>(joints.size()), all.end());
     if (how_.gltf && !how_.keep_names) {
       json_["joints"] = json_["meshes"] = json::array();
       const std::vector<std::string> unique = made_unique(both);

@@ -22,7 +22,7 @@ struct Expect {
   double fps = 60.0;
   double at_keys_m = kAtKeys;
   bool reduced = false;     ///< Only the first and the last frame have keys on all tracks.
-  bool gltf = false;        ///< Bones and meshes share one space of names.
+  bool gltf = false;        ///< Names are made unique actor by actor, elsewhere bones first.
   bool keep_names = false;  ///< Names stay as they are, because another program wrote the file.
   bool halfway = false;     ///< Look at joints half-way between frames too.
   std::size_t most_times = 40;
