@@ -1850,6 +1850,30 @@
         <source>lies more than 10 m off</source>
         <translation>liegt mehr als 10 m entfernt</translation>
     </message>
+    <message>
+        <source>there is no output for sound</source>
+        <translation>es gibt keinen Tonausgang</translation>
+    </message>
+    <message>
+        <source>connect a loudspeaker or headphones</source>
+        <translation>schließen Sie Lautsprecher oder Kopfhörer an</translation>
+    </message>
+    <message>
+        <source>the output cannot be used (%1)</source>
+        <translation>der Ausgang lässt sich nicht verwenden (%1)</translation>
+    </message>
+    <message>
+        <source>does not name every place of the rig once</source>
+        <translation>nennt nicht jede Stelle des Rigs genau einmal</translation>
+    </message>
+    <message>
+        <source>the sensors&apos; places</source>
+        <translation>die Stellen der Sensoren</translation>
+    </message>
+    <message>
+        <source>give every sensor its own place</source>
+        <translation>geben Sie jedem Sensor seine eigene Stelle</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -2272,6 +2296,45 @@
     </message>
 </context>
 <context>
+    <name>Manual</name>
+    <message>
+        <source>From sensors to an animation</source>
+        <translation>Von den Sensoren zur Animation</translation>
+    </message>
+    <message>
+        <source>Wiring and the signal</source>
+        <translation>Verkabelung und Signal</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Calibrating the range</source>
+        <translation>Den Messbereich kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrating the mounting</source>
+        <translation>Den Sitz kalibrieren</translation>
+    </message>
+    <message>
+        <source>Recording alone</source>
+        <translation>Allein aufnehmen</translation>
+    </message>
+    <message>
+        <source>With a portable recorder</source>
+        <translation>Mit einem tragbaren Rekorder</translation>
+    </message>
+    <message>
+        <source>Solving and exporting</source>
+        <translation>Berechnen und exportieren</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
     <name>Motions</name>
     <message>
         <source>Waving</source>
@@ -2332,6 +2395,22 @@
     <message>
         <source>From the simulator</source>
         <translation>Aus dem Simulator</translation>
+    </message>
+    <message>
+        <source>Turning the sensors</source>
+        <translation>Sensoren drehen</translation>
+    </message>
+    <message>
+        <source>For the range calibration</source>
+        <translation>Für die Kalibrierung des Messbereichs</translation>
+    </message>
+    <message>
+        <source>Holding the poses</source>
+        <translation>Posen halten</translation>
+    </message>
+    <message>
+        <source>For the mounting calibration</source>
+        <translation>Für die Kalibrierung des Sitzes</translation>
     </message>
 </context>
 <context>
@@ -2820,6 +2899,14 @@
         <source>latency %1 ms</source>
         <translation>Verzug %1 ms</translation>
     </message>
+    <message>
+        <source>calibrating</source>
+        <translation>wird kalibriert</translation>
+    </message>
+    <message>
+        <source>A calibration is under way; its raw signals are kept in a take of their own.</source>
+        <translation>Eine Kalibrierung läuft; ihre Rohsignale werden in einem eigenen Take aufgehoben.</translation>
+    </message>
 </context>
 <context>
     <name>TakeSegments</name>
@@ -2870,10 +2957,6 @@
         <translation>Kalibrierungen werden je Sensor aufbewahrt. Benennen Sie die Platine an %1, damit nie die einer anderen für ihre gehalten werden. Tragen die Sensoren Seriennummern, geben Sie sie ein: Dann behalten sie ihre Kalibrierung an jeder Platine.</translation>
     </message>
     <message>
-        <source>Name of the board</source>
-        <translation>Name der Platine</translation>
-    </message>
-    <message>
         <source>As written on it, such as “Lab 2”</source>
         <translation>Wie er darauf steht, etwa „Labor 2“</translation>
     </message>
@@ -2882,20 +2965,8 @@
         <translation>Platine</translation>
     </message>
     <message>
-        <source>Serial of %1</source>
-        <translation>Seriennummer von %1</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
         <source>Keep</source>
         <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>%1 is entered for two sensors.</source>
-        <translation>%1 ist bei zwei Sensoren eingetragen.</translation>
     </message>
 </context>
 <context>
@@ -3209,6 +3280,10 @@
         <source>Calibration from a recording</source>
         <translation>Kalibrierung aus einer Aufnahme</translation>
     </message>
+    <message>
+        <source>Learn how sensors are calibrated</source>
+        <translation>So werden Sensoren kalibriert</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CalibrationDesk</name>
@@ -3315,6 +3390,26 @@
         <source>The verdicts of %1 are not saved yet.</source>
         <translation>Die Urteile zu %1 sind noch nicht gespeichert.</translation>
     </message>
+    <message>
+        <source>Test the sound</source>
+        <translation>Ton testen</translation>
+    </message>
+    <message>
+        <source>Plays the end of a countdown through the computer&apos;s output</source>
+        <translation>Spielt das Ende eines Countdowns über den Ausgang des Rechners</translation>
+    </message>
+    <message>
+        <source>Three sounds were played: two short ones, then a long one for “hold still”.</source>
+        <translation>Drei Töne wurden gespielt: zwei kurze, dann ein langer für „stillhalten“.</translation>
+    </message>
+    <message>
+        <source>No sound can be played: %1</source>
+        <translation>Es lässt sich kein Ton abspielen: %1</translation>
+    </message>
+    <message>
+        <source>Learn how</source>
+        <translation>So geht es</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CaptureModel</name>
@@ -3349,6 +3444,30 @@
     <message>
         <source>Look at the device and at the name of the take, then begin again.</source>
         <translation>Sehen Sie nach dem Gerät und dem Namen des Takes und beginnen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Reading the board</source>
+        <translation>Platine wird gelesen</translation>
+    </message>
+    <message>
+        <source>The board cannot be read</source>
+        <translation>Die Platine lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>sensor board</source>
+        <translation>Sensorplatine</translation>
+    </message>
+    <message>
+        <source>The board cannot be kept</source>
+        <translation>Die Platine lässt sich nicht speichern</translation>
+    </message>
+    <message>
+        <source>folder for takes</source>
+        <translation>Ordner für Takes</translation>
     </message>
 </context>
 <context>
@@ -3425,6 +3544,10 @@
         <source>In the signal: move the selected marker by 10 ms, with Ctrl by 100 ms</source>
         <translation>Im Signal: die gewählte Marke um 10 ms verschieben, mit Strg um 100 ms</translation>
     </message>
+    <message>
+        <source>Learn how the board is connected</source>
+        <translation>So wird die Platine angeschlossen</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CurvesPanel</name>
@@ -3447,6 +3570,21 @@
     <message>
         <source>Elevation</source>
         <translation>Neigung</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::DockTitle</name>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Put %1 back into the window</source>
+        <translation>%1 zurück ins Fenster holen</translation>
+    </message>
+    <message>
+        <source>Show %1 in a window of its own</source>
+        <translation>%1 in einem eigenen Fenster zeigen</translation>
     </message>
 </context>
 <context>
@@ -4050,6 +4188,13 @@
     </message>
 </context>
 <context>
+    <name>limbwave::ui::FormSheet</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>limbwave::ui::ImportSheet</name>
     <message>
         <source>Import recordings</source>
@@ -4066,10 +4211,6 @@
     <message>
         <source>, </source>
         <translation>, </translation>
-    </message>
-    <message>
-        <source>Name of the take</source>
-        <translation>Name des Takes</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -4098,6 +4239,10 @@
     <message>
         <source>Import</source>
         <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Learn how to record without a computer</source>
+        <translation>So wird ohne Rechner aufgenommen</translation>
     </message>
 </context>
 <context>
@@ -4171,6 +4316,10 @@
     <message>
         <source>Right: clock</source>
         <translation>Rechts: Takt</translation>
+    </message>
+    <message>
+        <source>Learn how to set the level</source>
+        <translation>So wird der Pegel eingestellt</translation>
     </message>
 </context>
 <context>
@@ -4601,6 +4750,40 @@
     <message>
         <source>Open animation…</source>
         <translation>Animation öffnen …</translation>
+    </message>
+    <message>
+        <source>Details of the take…</source>
+        <translation>Angaben zum Take …</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>A calibration is under way. What is not saved is lost.</source>
+        <translation>Eine Kalibrierung läuft. Was nicht gespeichert ist, geht verloren.</translation>
+    </message>
+    <message>
+        <source>Leave it and quit</source>
+        <translation>Abbrechen und beenden</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ManualBrowser</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Chapters</source>
+        <translation>Kapitel</translation>
     </message>
 </context>
 <context>
@@ -5273,6 +5456,10 @@
         <source>disk: –</source>
         <translation>Platte: –</translation>
     </message>
+    <message>
+        <source>A calibration is under way</source>
+        <translation>Eine Kalibrierung läuft</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SaveQueue</name>
@@ -5379,6 +5566,37 @@
     <message>
         <source>now</source>
         <translation>jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::SensorTable</name>
+    <message>
+        <source>Socket</source>
+        <translation>Buchse</translation>
+    </message>
+    <message>
+        <source>Worn on</source>
+        <translation>Getragen an</translation>
+    </message>
+    <message>
+        <source>Serial</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Where the sensor in socket %1 is worn</source>
+        <translation>Wo der Sensor in Buchse %1 getragen wird</translation>
+    </message>
+    <message>
+        <source>Serial of the sensor in socket %1</source>
+        <translation>Seriennummer des Sensors in Buchse %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 is entered for two sensors.</source>
+        <translation>%1 ist bei zwei Sensoren eingetragen.</translation>
     </message>
 </context>
 <context>
@@ -5491,10 +5709,6 @@
         <translation>Vollbild</translation>
     </message>
     <message>
-        <source>This sheet</source>
-        <translation>Diese Übersicht</translation>
-    </message>
-    <message>
         <source>Timeline</source>
         <translation>Zeitleiste</translation>
     </message>
@@ -5517,6 +5731,14 @@
     <message>
         <source>Open an animation</source>
         <translation>Eine Animation öffnen</translation>
+    </message>
+    <message>
+        <source>The manual</source>
+        <translation>Das Handbuch</translation>
+    </message>
+    <message>
+        <source>All keyboard shortcuts</source>
+        <translation>Alle Tastenkürzel</translation>
     </message>
 </context>
 <context>
@@ -5791,20 +6013,8 @@
         <translation>Eingänge</translation>
     </message>
     <message>
-        <source>Name the sensor board on this device</source>
-        <translation>Die Sensorplatine an diesem Gerät benennen</translation>
-    </message>
-    <message>
-        <source>Rig %1</source>
-        <translation>Rig %1</translation>
-    </message>
-    <message>
-        <source>The list of boards cannot be read</source>
-        <translation>Die Liste der Platinen ist nicht lesbar</translation>
-    </message>
-    <message>
-        <source>The board cannot be kept</source>
-        <translation>Die Platine lässt sich nicht speichern</translation>
+        <source>Name the sensor board, and say which sensor is worn where</source>
+        <translation>Die Sensorplatine benennen und sagen, welcher Sensor wo getragen wird</translation>
     </message>
 </context>
 <context>
@@ -6082,12 +6292,82 @@
         <source>Open an animation</source>
         <translation>Eine Animation öffnen</translation>
     </message>
+    <message>
+        <source>A calibration is under way.</source>
+        <translation>Eine Kalibrierung läuft.</translation>
+    </message>
+    <message>
+        <source>Finish or leave it before another take is opened.</source>
+        <translation>Beenden oder verlassen Sie sie, bevor ein anderer Take geöffnet wird.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::TakeDocument</name>
     <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TakeEdits</name>
+    <message>
+        <source>The sensors stay as they are</source>
+        <translation>Die Sensoren bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>sensors of the take</source>
+        <translation>Sensoren des Takes</translation>
+    </message>
+    <message>
+        <source>details of the take</source>
+        <translation>Angaben zum Take</translation>
+    </message>
+    <message>
+        <source>subject of the take</source>
+        <translation>Person des Takes</translation>
+    </message>
+    <message>
+        <source>name of the take</source>
+        <translation>Name des Takes</translation>
+    </message>
+    <message>
+        <source>The take is called %1 as soon as nothing works on it any more.</source>
+        <translation>Der Take heißt %1, sobald nichts mehr an ihm arbeitet.</translation>
+    </message>
+    <message>
+        <source>The take keeps its name</source>
+        <translation>Der Take behält seinen Namen</translation>
+    </message>
+    <message>
+        <source>The change is not saved in the take</source>
+        <translation>Die Änderung ist nicht im Take gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::TakeSheet</name>
+    <message>
+        <source>Details of the take</source>
+        <translation>Angaben zum Take</translation>
+    </message>
+    <message>
+        <source>The signals stay as they were recorded. When sensors were mixed up, say here which one was worn where: the take is solved anew.</source>
+        <translation>Die Signale bleiben, wie sie aufgenommen wurden. Wurden Sensoren vertauscht, sagen Sie hier, welcher wo getragen wurde: Der Take wird neu berechnet.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Take</translation>
+    </message>
+    <message>
+        <source>Subject</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Who wore the sensors</source>
+        <translation>Wer die Sensoren trug</translation>
     </message>
 </context>
 <context>
@@ -6374,6 +6654,14 @@
     <message>
         <source>or drop recordings, takes and animations anywhere on this window</source>
         <translation>oder Aufnahmen, Takes und Animationen irgendwo auf dieses Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>From the wiring to the animation (F1)</source>
+        <translation>Von der Verkabelung zur Animation (F1)</translation>
     </message>
 </context>
 <context>

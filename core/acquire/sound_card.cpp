@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "acquire/alsa_probe.h"
+#include "acquire/portaudio_session.h"
 #include "base/spsc_ring.h"
 #include "base/wake_signal.h"
 
@@ -44,37 +45,6 @@ PaSampleFormat pa_format(SampleType type) {
   }
   return paInt16;
 }
-
-// PortAudio is started when a list or a stream needs it and ended with the last of them, so that devices that came or
-// went are seen the next time. It is not thread-safe: whoever calls it holds the lock.
-std::recursive_mutex& portaudio_lock() {
-  static std::recursive_mutex lock;
-  return lock;
-}
-
-class PortAudio {
- public:
-  static Result<std::unique_ptr<PortAudio>> start() {
-    const std::lock_guard guard(portaudio_lock());
-    silence_sound_libraries();
-    const PaError error = Pa_Initialize();  // counts its users itself
-    if (error != paNoError) {
-      return Error{std::string("sound cannot be used (") + Pa_GetErrorText(error) + ")", "sound card",
-                   "check that sound works in other programs"};
-    }
-    silence_sound_libraries();  // PortAudio sets a handler of its own while it looks for JACK
-    return std::unique_ptr<PortAudio>(new PortAudio);
-  }
-  ~PortAudio() {
-    const std::lock_guard guard(portaudio_lock());
-    Pa_Terminate();
-  }
-  PortAudio(const PortAudio&) = delete;
-  PortAudio& operator=(const PortAudio&) = delete;
-
- private:
-  PortAudio() = default;
-};
 
 bool is_alsa(const PaDeviceInfo& device) {
   return Pa_GetHostApiInfo(device.hostApi)->type == paALSA;
@@ -166,7 +136,7 @@ std::optional<Error> check_format(const DeviceInfo& device, const StreamFormat& 
 
 class SoundCard : public LiveSource {
  public:
-  SoundCard(std::unique_ptr<PortAudio> portaudio, DeviceInfo device, StreamFormat format)
+  SoundCard(std::unique_ptr<PortAudioSession> portaudio, DeviceInfo device, StreamFormat format)
       : portaudio_(std::move(portaudio)),
         device_(std::move(device)),
         format_(format),
@@ -220,7 +190,7 @@ class SoundCard : public LiveSource {
   }
   static void finished(void* self) { static_cast<SoundCard*>(self)->finished_.store(true, std::memory_order_release); }
 
-  std::unique_ptr<PortAudio> portaudio_;
+  std::unique_ptr<PortAudioSession> portaudio_;
   DeviceInfo device_;
   StreamFormat format_;
   PaStream* stream_ = nullptr;
@@ -319,7 +289,7 @@ void SoundCard::stop() {
 
 Result<std::vector<DeviceInfo>> list_devices() {
   const std::lock_guard guard(portaudio_lock());
-  const Result<std::unique_ptr<PortAudio>> portaudio = PortAudio::start();
+  const Result<std::unique_ptr<PortAudioSession>> portaudio = PortAudioSession::start();
   if (!portaudio) {
     return portaudio.error();
   }
@@ -335,7 +305,7 @@ Result<std::vector<DeviceInfo>> list_devices() {
 
 Result<std::unique_ptr<LiveSource>> open_sound_card(const std::string& id, const StreamFormat& wanted) {
   const std::lock_guard guard(portaudio_lock());
-  Result<std::unique_ptr<PortAudio>> portaudio = PortAudio::start();
+  Result<std::unique_ptr<PortAudioSession>> portaudio = PortAudioSession::start();
   if (!portaudio) {
     return portaudio.error();
   }

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/json_reader.h"
+#include "take/sensor_places.h"
 
 namespace limbwave::take {
 namespace fs = std::filesystem;
@@ -37,10 +38,15 @@ Result<std::vector<Entry>> read_book(const fs::path& file) {
   reader.allow({"schema", "boards"});
   (void)reader.at("schema").integer(1, 1);
   for (const JsonReader& item : reader.at("boards").items()) {
-    item.allow({"device", "rig", "name", "serials"});
-    Entry entry{item.at("device").string(), item.at("rig").string(), {item.at("name").string(), {}}};
+    item.allow({"device", "rig", "name", "serials", "places"});
+    Entry entry{item.at("device").string(), item.at("rig").string(), {item.at("name").string(), {}, {}}};
     for (const JsonReader& serial : item.at("serials").items()) {
       entry.board.serials.push_back(serial.string());
+    }
+    if (item.has("places")) {
+      for (const JsonReader& place : item.at("places").items()) {
+        entry.board.places.push_back(place.string());
+      }
     }
     entries.push_back(std::move(entry));
   }
@@ -70,7 +76,7 @@ Result<Board> BoardBook::board(const std::string& device, const std::string& rig
 
 Status BoardBook::set_board(const std::string& device, const std::string& rig, const Board& board) const {
   std::set<std::string> seen;
-  bool empty = board.name.empty();
+  bool empty = board.name.empty() && board.places.empty();
   for (const std::string& serial : board.serials) {
     empty = empty && serial.empty();
     if (!serial.empty() && !seen.insert(serial).second) {
@@ -83,8 +89,12 @@ Status BoardBook::set_board(const std::string& device, const std::string& rig, c
   }
   nlohmann::json boards = nlohmann::json::array();
   const auto add = [&boards](const Entry& entry) {
-    boards.push_back(
-        {{"device", entry.device}, {"rig", entry.rig}, {"name", entry.board.name}, {"serials", entry.board.serials}});
+    nlohmann::json one{
+        {"device", entry.device}, {"rig", entry.rig}, {"name", entry.board.name}, {"serials", entry.board.serials}};
+    if (!entry.board.places.empty()) {
+      one["places"] = entry.board.places;
+    }
+    boards.push_back(std::move(one));
   };
   for (const Entry& entry : *entries) {
     if (entry.device != device || entry.rig != rig) {
@@ -111,6 +121,11 @@ body::Rig rig_with_board(body::Rig rig, const Board& board) {
       sensor.serial = board.serials[s];
     } else if (sensor.serial.empty() && !board.name.empty()) {
       sensor.serial = board.name + ": " + sensor.name;
+    }
+  }
+  if (!board.places.empty()) {
+    if (Result<body::Rig> worn = with_places(rig, board.places)) {
+      return std::move(worn).value();
     }
   }
   return rig;

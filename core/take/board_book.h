@@ -13,8 +13,11 @@ namespace limbwave::take {
 
 /// The board on one device, as people name it.
 struct Board {
-  std::string name;                  ///< "Lab 2"; names every sensor without a serial: "Lab 2: forearm". May be empty.
-  std::vector<std::string> serials;  ///< By accelerometer of the rig; may be empty or shorter than the rig.
+  std::string name;  ///< "Lab 2"; names every sensor without a serial: "Lab 2: forearm". May be empty.
+  std::vector<std::string> serials =
+      {};  ///< By socket: accelerometer of the rig; may be empty or shorter than the rig.
+  std::vector<std::string> places =
+      {};  ///< By socket, where its sensor is worn (sensor_places.h); empty: as the rig says.
   bool operator==(const Board&) const = default;
 };
 
@@ -35,7 +38,8 @@ class BoardBook {
 };
 
 /// The rig with the board's serials: the one entered for a sensor, else the rig file's, else "NAME: SENSOR" when the
-/// board has a name, else none (then the calibration library knows a sensor by rig and place alone).
+/// board has a name, else none (then the calibration library knows a sensor by rig and socket alone). Sensors are worn
+/// where the board says; places that are not the rig's leave them where the rig has them.
 body::Rig rig_with_board(body::Rig rig, const Board& board);
 
 /// `rig_with_board` by the user's own book; the rig as it is when the book cannot be read.

@@ -57,6 +57,7 @@ CalibrationDesk::CalibrationDesk(StudioContext& context, CalibrationSource& sour
     : QObject(parent), context_(context), source_(source), library_(std::move(library)) {
   connect(&source_, &CalibrationSource::changed, this, &CalibrationDesk::follow);
   connect(&context_.document(), &TakeDocument::changed, this, &CalibrationDesk::follow);
+  connect(&context_.document(), &TakeDocument::described, this, &CalibrationDesk::follow);
   connect(&context_, &StudioContext::wearer_changed, this, &CalibrationDesk::follow);
   connect(&source_, &CalibrationSource::recording_closed, this, [this](const take::Take& take) {
     if (recording_ && take.folder == recording_folder_) {
@@ -152,7 +153,7 @@ CalibrationDesk::Target CalibrationDesk::target() const {
     target.wearer = wearer();
   }
   if (target.subject == Subject::kTake) {
-    target.take = context_.document().take()->folder;
+    target.opening = context_.document().opening();
   }
   return target;
 }
@@ -163,7 +164,8 @@ bool CalibrationDesk::is_current(const Target& target) const {
       return source_.running() && same_sensors(target.rig, source_.rig());
     case Subject::kTake: {
       const auto& open = context_.document().take();
-      return context_.document().is_open() && open->folder == target.take && same_sensors(target.rig, open->info.rig);
+      return context_.document().is_open() && context_.document().opening() == target.opening &&
+             same_sensors(target.rig, open->info.rig);
     }
     case Subject::kNone:
       break;
@@ -204,8 +206,12 @@ bool CalibrationDesk::put_in_use(const Target& target, const std::optional<calib
   take::Take take = *context_.document().take();
   take.info.calibration = calibration;
   context_.document().set(take);
-  context_.saves().add(tr("The calibration is not saved in the take"),
-                       [take = std::move(take)] { return take::save_info(take); });
+  const std::filesystem::path folder = take.folder;
+  context_.saves().add(tr("The calibration is not saved in the take"), folder,
+                       [take = std::move(take)](const std::filesystem::path& now) mutable {
+                         take.folder = now;
+                         return take::save_info(take);
+                       });
   return true;
 }
 

@@ -50,8 +50,8 @@ class CalibrationDesk : public QObject {
   /// What a wizard works on from its first page to its verdict, whatever becomes of the device or the take meanwhile.
   struct Target {
     Subject subject = Subject::kNone;
-    std::filesystem::path take;  ///< Of the open take.
-    QString wearer;              ///< Of the open take, or who is typed in.
+    int opening = 0;  ///< Of the open take.
+    QString wearer;   ///< Of the open take, or who is typed in.
     body::Rig rig;
     body::Skeleton skeleton;
   };

@@ -3,6 +3,8 @@
 #include <QHBoxLayout>
 #include <QScrollArea>
 
+#include "common/core_text.h"
+#include "common/format.h"
 #include "common/icons.h"
 #include "common/theme.h"
 
@@ -21,6 +23,18 @@ CalibrationWizard::CalibrationWizard(WizardModel& model, const QString& title, b
   sound_button_->setObjectName(QStringLiteral("sounds"));
   sound_button_->setCheckable(true);
   frame_->add_tool(sound_button_);
+  auto* test_sound = new QPushButton(tr("Test the sound"), this);
+  test_sound->setObjectName(QStringLiteral("test_sound"));
+  test_sound->setProperty("flat", true);
+  test_sound->setToolTip(tr("Plays the end of a countdown through the computer's output"));
+  frame_->add_tool(test_sound);
+  connect(test_sound, &QPushButton::clicked, &sounds_, &CueSounds::test);
+  connect(&sounds_, &CueSounds::tested, this, [this](const Status& status) {
+    frame_->set_note(status ? tr("Three sounds were played: two short ones, then a long one for “hold still”.")
+                            : tr("No sound can be played: %1")
+                                  .arg(as_sentence(core_text(status.error().message)) + QLatin1Char(' ') +
+                                       as_sentence(core_text(status.error().remedy))));
+  });
   connect(sound_button_, &QToolButton::toggled, this, [this](bool on) { sounds_.set_muted(!on); });
   connect(&sounds_, &CueSounds::muted_changed, this, &CalibrationWizard::refresh_sound_button);
   refresh_sound_button();
@@ -64,12 +78,16 @@ CalibrationWizard::Columns CalibrationWizard::make_columns() {
   return columns;
 }
 
-void CalibrationWizard::add_source_line(QVBoxLayout* words, QWidget* page) {
+void CalibrationWizard::add_source_line(QVBoxLayout* words, QWidget* page, const QString& chapter) {
   source_line_ = paragraph({}, page);
   words->addWidget(source_line_);
   open_device_ = new QPushButton(tr("Open a device in Capture"), page);
   connect(open_device_, &QPushButton::clicked, this, &CalibrationWizard::device_wanted);
   words->addWidget(open_device_, 0, Qt::AlignLeft);
+  QLabel* learn = link_label(tr("Learn how"), page);
+  words->addWidget(learn, 0, Qt::AlignLeft);
+  connect(learn, &QLabel::linkActivated, this,
+          [this, chapter] { shared_.desk().context().reveal(QStringLiteral("manual"), chapter); });
 }
 
 QWidget* CalibrationWizard::make_result_page(QHBoxLayout** buttons) {

@@ -37,8 +37,8 @@ class CalibrationWizard : public QWidget {
     QVBoxLayout* words;
   };
   [[nodiscard]] Columns make_columns();
-  /// Adds "Signal: ..." and the button that opens a device.
-  void add_source_line(QVBoxLayout* words, QWidget* page);
+  /// Adds "Signal: ...", the button that opens a device, and the way to a chapter of the manual.
+  void add_source_line(QVBoxLayout* words, QWidget* page, const QString& chapter);
   /// The page of verdicts; returns the row below the list for further buttons.
   [[nodiscard]] QWidget* make_result_page(QHBoxLayout** buttons);
   /// Findings about the calibration as a whole, above the rows; empty: none.

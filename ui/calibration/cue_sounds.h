@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QSettings>
 
+#include "acquire/tone_player.h"
+
 namespace limbwave::ui {
 
 class CueSounds : public QObject {
@@ -21,16 +23,20 @@ class CueSounds : public QObject {
   explicit CueSounds(QSettings& settings, QObject* parent = nullptr);
   [[nodiscard]] bool muted() const { return muted_; }
   void set_muted(bool muted);
-  /// Nothing is heard while muted.
+  /// Nothing is heard while muted, or where there is no output.
   void play(Cue cue);
+  /// Plays a countdown, muted or not; ends in `tested`.
+  void test();
 
  Q_SIGNALS:
   void muted_changed(bool muted);
   void played(limbwave::ui::CueSounds::Cue cue);
+  void tested(const limbwave::Status& status);
 
  private:
   QSettings& settings_;
   bool muted_;
+  acquire::TonePlayer player_;
 };
 
 }  // namespace limbwave::ui

@@ -59,7 +59,7 @@ QWidget* LimbWizard::make_choose_page() {
   connect(first, &QPushButton::clicked, this, [this] { Q_EMIT range_wanted(model_.sensors()); });
   warning->addWidget(first, 0, Qt::AlignLeft);
   words->addWidget(range_warning_);
-  add_source_line(words, page);
+  add_source_line(words, page, QStringLiteral("mounting"));
   words->addStretch();
   columns->addLayout(words, 2);
   return page;

@@ -74,7 +74,7 @@ QWidget* RangeWizard::make_choose_page() {
   words->addWidget(paragraph(tr("Several sensors can be calibrated at once: fix them in one small box so that none can "
                                 "slip, and turn the box."),
                              page));
-  add_source_line(words, page);
+  add_source_line(words, page, QStringLiteral("range"));
   words->addStretch();
   columns->addLayout(words, 2);
   return page;

@@ -34,8 +34,9 @@ void StretchModel::begin() {
 
 void StretchModel::follow() {
   const auto& open = desk_.context().document().take();
-  const bool other = !take_ || !open || take_->folder != open->folder;
+  const bool other = !take_ || !open || opening_ != desk_.context().document().opening();
   take_ = open;
+  opening_ = desk_.context().document().opening();
   if (!other) {
     Q_EMIT
     changed();  // The same take with another calibration: its readings stay.
@@ -72,8 +73,8 @@ void StretchModel::decode() {
         }
         return Decoded(std::make_shared<const solve::DecodedTake>(std::move(decoded).value()));
       },
-      [this, take = take_](Result<Decoded> result) {
-        if (!take_ || take_->folder != take->folder) {
+      [this, opening = opening_](Result<Decoded> result) {
+        if (!take_ || opening_ != opening) {
           return;
         }
         decoding_ = false;
@@ -167,7 +168,7 @@ void StretchModel::set_stretch(int i, Stretch wanted) {
 }
 
 CalibrationDesk::Target StretchModel::target() const {
-  return take_ ? CalibrationDesk::Target{CalibrationDesk::Subject::kTake, take_->folder,
+  return take_ ? CalibrationDesk::Target{CalibrationDesk::Subject::kTake, opening_,
                                          QString::fromStdString(take_->info.subject), take_->info.rig,
                                          take_->info.skeleton}
                : CalibrationDesk::Target{};

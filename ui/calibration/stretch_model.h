@@ -67,6 +67,7 @@ class StretchModel : public QObject {
 
   CalibrationDesk& desk_;
   std::shared_ptr<const take::Take> take_;
+  int opening_ = -1;  ///< Of that take.
   std::shared_ptr<const solve::DecodedTake> decoded_;
   bool active_ = false, decoding_ = false, computing_ = false;
   QString problem_;

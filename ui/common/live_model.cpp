@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 
 #include "common/core_text.h"
@@ -36,7 +37,46 @@ struct LiveModel::Bell {
   }
 };
 
+// One after the other, in the order of the tickets: many devices cannot be opened before they are closed.
+class LiveModel::Door {
+ public:
+  /// In the GUI thread.
+  std::uint64_t ticket() { return issued_++; }
+  /// Waits until everybody before is through; leaves when it goes out of scope.
+  class Turn {
+   public:
+    Turn(std::shared_ptr<Door> door, std::uint64_t ticket) : door_(std::move(door)) {
+      std::unique_lock lock(door_->mutex_);
+      door_->moved_on_.wait(lock, [&] { return door_->serving_ == ticket; });
+    }
+    ~Turn() {
+      {
+        const std::scoped_lock lock(door_->mutex_);
+        ++door_->serving_;
+      }
+      door_->moved_on_.notify_all();
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+   private:
+    std::shared_ptr<Door> door_;
+  };
+  std::atomic<std::uint64_t> newest{0};  // of the attempts to open: an older one need not begin any more
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable moved_on_;
+  std::uint64_t issued_ = 0, serving_ = 0;
+};
+
 namespace {
+
+/// What opening ends in.
+struct Opened {
+  std::shared_ptr<LiveBackend> backend;
+  solve::LiveSettings settings;
+};
 
 /// Ranges are the sensors', whoever wears them; mountings are the wearer's.
 calibrate::RigCalibration with_mounts(calibrate::RigCalibration calibration, const calibrate::RigCalibration& from) {
@@ -50,6 +90,7 @@ LiveModel::LiveModel(const StudioServices& services, JobRunner& jobs, QObject* p
     : QObject(parent), services_(services), jobs_(jobs) {
   bell_ = std::make_shared<Bell>();
   bell_->model = this;
+  door_ = std::make_shared<Door>();
   timer_.setInterval(33);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &LiveModel::poll);
@@ -96,15 +137,15 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   remedy_.clear();
   set_state(LiveState::kOpening);
   const std::uint64_t attempt = ++opening_;
-  struct Opened {
-    solve::LiveSettings settings;
-    std::shared_ptr<LiveBackend> backend;
-  };
+  door_->newest = attempt;
   auto work = [open_device = services_.open_device, make_live = services_.make_live, load_rig = services_.load_rig,
-               id = device_id.toStdString(), rig, name = wearer_.toStdString(), setup,
-               bell = bell_](const Progress&) -> Result<Opened> {
-    // Rigs and the calibration library stand on the disk, maybe one that sleeps.
-    Result<solve::LiveSettings> settings = load_rig(rig, name, id);
+               id = device_id.toStdString(), rig, wearer = wearer_.toStdString(), setup, bell = bell_, door = door_,
+               ticket = door_->ticket(), attempt](const Progress&) -> Result<Opened> {
+    const Door::Turn turn(door, ticket);
+    if (door->newest != attempt) {
+      return cancelled();
+    }
+    auto settings = load_rig(rig, wearer, id);
     if (!settings) {
       return settings.error();
     }
@@ -112,7 +153,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
     if (!source) {
       return source.error();
     }
-    Opened opened{std::move(settings).value(), nullptr};
+    Opened opened{nullptr, std::move(settings).value()};
     opened.backend = make_live(std::move(source).value(), opened.settings);
     opened.backend->on_figure([bell] { bell->ring(); });
     if (Status started = opened.backend->start(); !started) {
@@ -123,6 +164,9 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   jobs_.compute<Opened>(tr("Opening %1").arg(device_title), this, std::move(work),
                         [this, attempt](Result<Opened> result) {
                           if (attempt != opening_) {
+                            if (result) {
+                              retire(std::move(result->backend));
+                            }
                             return;
                           }
                           if (!result) {
@@ -130,34 +174,38 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
                             set_state(LiveState::kOff);
                             return;
                           }
-                          settings_ = std::move(result->settings);
                           backend_ = std::move(result->backend);
+                          settings_ = std::move(result->settings);
                           set_state(LiveState::kRunning);
                           if (wanted_wearer_ != wearer_) {
-                            wearer_timer_.start();  // Somebody else was named meanwhile.
+                            wearer_timer_.start();  // Somebody else put them on meanwhile.
                           }
                           poll();
                         });
   return true;
 }
 
+void LiveModel::retire(std::shared_ptr<LiveBackend> backend) {
+  jobs_.start(tr("Closing %1").arg(device_title_), nullptr,
+              [backend = std::move(backend), door = door_, ticket = door_->ticket()](const Progress&) mutable {
+                const Door::Turn turn(door, ticket);
+                backend->stop();
+                backend.reset();
+                return Status();
+              });
+}
+
 void LiveModel::close() {
   if (recording_ || starting_ || finishing_) {
     return;
   }
-  ++opening_;
+  door_->newest = ++opening_;
   drawn_.clear();
   counted_from_s_ = 0.0;
   const bool had_snapshot = snapshot_ != nullptr;
   snapshot_.reset();
   if (backend_) {
-    // Stopping a sound server can take a moment.
-    jobs_.start(tr("Closing %1").arg(device_title_), nullptr, [backend = std::move(backend_)](const Progress&) mutable {
-      backend->stop();
-      backend.reset();
-      return Status();
-    });
-    backend_.reset();
+    retire(std::exchange(backend_, nullptr));
   }
   if (state_ != LiveState::kOff) {
     set_state(LiveState::kOff);
@@ -292,13 +340,13 @@ void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {
 
 void LiveModel::set_wearer(const QString& wearer) {
   wanted_wearer_ = wearer;
-  if (state_ != LiveState::kOff) {
+  if (running()) {
     wearer_timer_.start();
   }
 }
 
 void LiveModel::load_wearer() {
-  if (recording_ || starting_ || state_ != LiveState::kRunning || wanted_wearer_ == wearer_) {
+  if (recording_ || starting_ || !running() || wanted_wearer_ == wearer_) {
     return;
   }
   jobs_.compute<solve::LiveSettings>(

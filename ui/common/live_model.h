@@ -36,7 +36,7 @@ class LiveModel : public QObject {
   [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const;
   /// The newest state; null while nothing has been captured.
   [[nodiscard]] const std::shared_ptr<const solve::LiveSnapshot>& snapshot() const { return snapshot_; }
-  /// Rig, skeleton and calibration of the running capture; read when it is opened.
+  /// Rig, skeleton and calibration of the running capture; known when it runs.
   [[nodiscard]] const solve::LiveSettings& settings() const { return settings_; }
   [[nodiscard]] const QString& device_id() const { return device_id_; }
   [[nodiscard]] const QString& device_title() const { return device_title_; }
@@ -44,7 +44,8 @@ class LiveModel : public QObject {
   [[nodiscard]] const QString& problem() const { return problem_; }
   [[nodiscard]] const QString& remedy() const { return remedy_; }
 
-  /// Closes what runs and opens this device. Refused while recording.
+  /// Closes what runs, reads the rig with its calibration, and opens this device; ends in `state_changed`. Refused
+  /// while recording.
   bool open(const QString& device_id, const QString& device_title, const std::string& rig, const QString& subject,
             const DeviceSetup& setup = {});
   /// Refused while recording.
@@ -94,6 +95,8 @@ class LiveModel : public QObject {
   void load_wearer();
   void set_state(LiveState state);
   void fail(const Error& error);
+  /// Stops and ends it beside the window: joining its thread and closing a sound server can take a moment.
+  void retire(std::shared_ptr<LiveBackend> backend);
 
   const StudioServices& services_;
   JobRunner& jobs_;
@@ -109,6 +112,8 @@ class LiveModel : public QObject {
   std::string rig_name_;   ///< As asked for when opening.
   QTimer timer_, wearer_timer_;
   std::uint64_t opening_ = 0;  ///< Counts attempts, so that one that was overtaken is dropped.
+  class Door;
+  std::shared_ptr<Door> door_;  ///< Devices are opened and closed in the order in which that was asked for.
   solve::LatencyMeter drawn_;
   double counted_from_s_ = 0.0;  ///< Before that a capture is still finding its feet: caches, first frames.
   struct Bell;

@@ -238,8 +238,8 @@ bool MarkerModel::apply(const std::optional<Marker>& from, const std::optional<M
     Q_EMIT changed();
     return true;
   }
-  saves_.add(tr("The marker is not saved"),
-             [folder = document_.take()->folder, line] { return take::append_event(folder, line); });
+  saves_.add(tr("The marker is not saved"), document_.take()->folder,
+             [line](const std::filesystem::path& folder) { return take::append_event(folder, line); });
   std::vector<take::TakeEvent> events = document_.take()->events;
   events.push_back(line);
   document_.set_events(take::events_in_force(events));

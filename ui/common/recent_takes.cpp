@@ -36,4 +36,14 @@ void RecentTakes::remove(const QString& folder) {
   Q_EMIT changed();
 }
 
+void RecentTakes::replace(const QString& from, const QString& to) {
+  QStringList list = settings_.value(QLatin1String(kKey)).toStringList();
+  if (list.contains(from)) {
+    list.removeAll(to);
+    list.replace(list.indexOf(from), to);
+    settings_.setValue(QLatin1String(kKey), list);
+    Q_EMIT changed();
+  }
+}
+
 }  // namespace limbwave::ui

@@ -16,6 +16,8 @@ class RecentTakes : public QObject {
   [[nodiscard]] QStringList folders() const;
   void add(const QString& folder);
   void remove(const QString& folder);
+  /// A take has another folder by now.
+  void replace(const QString& from, const QString& to);
 
  Q_SIGNALS:
   void changed();

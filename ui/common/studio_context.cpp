@@ -2,16 +2,10 @@
 
 #include <QDir>
 #include <QStorageInfo>
-#include <QThreadPool>
-#include <atomic>
+#include <thread>
+#include <utility>
 
 namespace limbwave::ui {
-
-/// Bytes free on the disk of the takes folder, as far as it has answered.
-struct StudioContext::DiskSpace {
-  std::atomic<qint64> free{-1};
-  std::atomic<bool> asking{false};
-};
 
 StudioContext::StudioContext(StudioServices services, const QString& settings_folder, QObject* parent)
     : QObject(parent),
@@ -21,9 +15,21 @@ StudioContext::StudioContext(StudioServices services, const QString& settings_fo
       document_(services_, jobs_),
       live_(services_, jobs_),
       saves_(jobs_),
-      markers_(document_, live_, saves_, undo_stack_) {
-  disk_ = std::make_shared<DiskSpace>();
+      markers_(document_, live_, saves_, undo_stack_),
+      take_edits_(document_, saves_, jobs_, undo_stack_, notifications_) {
   QDir().mkpath(settings_folder);
+  QDir().mkpath(takes_folder());
+  disk_timer_.setInterval(20);
+  connect(&disk_timer_, &QTimer::timeout, this, [this] {
+    if (!asked_disk_) {
+      disk_timer_.stop();
+    } else if (asked_disk_->answered) {
+      disk_ = std::exchange(asked_disk_, nullptr);
+      disk_timer_.stop();
+      Q_EMIT disk_changed();
+    }
+  });
+  connect(&take_edits_, &TakeEdits::moved, &recent_takes_, &RecentTakes::replace);
   connect(&document_, &TakeDocument::changed, this, [this](bool other) {
     if (other) {
       selection_.clear();
@@ -65,32 +71,19 @@ void StudioContext::set_wearer(const QString& wearer) {
 }
 
 QString StudioContext::takes_folder() const {
-  QString folder = settings_.value(QStringLiteral("takes/folder")).toString();
-  if (folder.isEmpty()) {
-    folder = QDir::home().filePath(QStringLiteral("Limbwave"));
-  }
-  if (folder != made_folder_) {
-    QDir().mkpath(folder);
-    made_folder_ = folder;
-  }
-  return folder;
+  const QString folder = settings_.value(QStringLiteral("takes/folder")).toString();
+  return folder.isEmpty() ? QDir::home().filePath(QStringLiteral("Limbwave")) : folder;
 }
 
-double StudioContext::disk_left_s() const {
+double StudioContext::disk_left_s() {
   const auto& snapshot = live_.snapshot();
   if (snapshot && snapshot->recording && snapshot->disk_left_s > 0.0) {
     return snapshot->disk_left_s;
   }
   if (!disk_asked_.isValid() || disk_asked_.elapsed() > 1000) {
-    disk_asked_.start();
-    if (!disk_->asking.exchange(true)) {
-      QThreadPool::globalInstance()->start([disk = disk_, folder = takes_folder()] {
-        disk->free = QStorageInfo(folder).bytesAvailable();
-        disk->asking = false;
-      });
-    }
+    ask_disk();
   }
-  const qint64 free = disk_->free;
+  const qint64 free = disk_ ? disk_->free.load() : -1;
   if (free < 0) {
     return -1.0;
   }
@@ -100,10 +93,29 @@ double StudioContext::disk_left_s() const {
   return static_cast<double>(free) / bytes_per_second;
 }
 
+void StudioContext::ask_disk() {
+  if (asked_disk_) {
+    return;
+  }
+  disk_asked_.start();
+  asked_disk_ = std::make_shared<Disk>();
+  std::thread([disk = asked_disk_, folder = takes_folder()] {
+    disk->free = QStorageInfo(folder).bytesAvailable();
+    disk->answered = true;
+  }).detach();
+  disk_timer_.start();
+}
+
 void StudioContext::set_takes_folder(const QString& folder) {
+  if (folder == takes_folder()) {
+    return;
+  }
+  QDir().mkpath(folder);
   disk_asked_.invalidate();
-  disk_ = std::make_shared<DiskSpace>();
+  disk_.reset();
+  asked_disk_.reset();  // What is asked of the other folder is not listened to.
   settings_.setValue(QStringLiteral("takes/folder"), folder);
+  Q_EMIT takes_folder_changed();
 }
 
 }  // namespace limbwave::ui

@@ -6,7 +6,9 @@
 #include <QObject>
 #include <QSettings>
 #include <QString>
+#include <QTimer>
 #include <QUndoStack>
+#include <atomic>
 #include <memory>
 
 #include "common/job_runner.h"
@@ -18,6 +20,7 @@
 #include "common/selection.h"
 #include "common/studio_services.h"
 #include "common/take_document.h"
+#include "common/take_edits.h"
 #include "common/time_model.h"
 
 namespace limbwave::ui {
@@ -42,29 +45,34 @@ class StudioContext : public QObject {
   /// Writes to the open take, in order.
   SaveQueue& saves() { return saves_; }
   MarkerModel& markers() { return markers_; }
+  /// Name, subject and sensors of the open take.
+  TakeEdits& take_edits() { return take_edits_; }
 
   /// Who wears the sensors now: mountings are kept per person, and takes are recorded as theirs.
   [[nodiscard]] QString wearer() const;
   /// The running capture then goes by this person's mountings.
   void set_wearer(const QString& wearer);
 
-  /// Where new takes go: the setting, else ~/Limbwave. Made when it does not exist.
+  /// Where new takes go: the setting, else ~/Limbwave.
   [[nodiscard]] QString takes_folder() const;
   void set_takes_folder(const QString& folder);
   /// How long recording into that folder lasts until its disk is full, seconds: as the session says while it records,
-  /// else from the free space at the running capture's rate, or at 48 kHz in 16 bit stereo. Negative while it is not
-  /// known: the disk is asked beside the window, since it may be a network's or asleep.
-  [[nodiscard]] double disk_left_s() const;
+  /// else from the free space at the running capture's rate, or at 48 kHz in 16 bit stereo. Negative: not known yet.
+  [[nodiscard]] double disk_left_s();
 
   /// Shows a workspace ("capture", "calibrate", "solve", "export", "welcome") and there the place of a topic: "record",
-  /// "devices", "sensors", "sensor:2", "line", "disk", "latency", or one of the workspace's own.
+  /// "devices", "sensors", "sensor:2", "line", "disk", "latency", or one of the workspace's own. "manual" is the
+  /// manual, its topics are the chapters: "levels".
   void reveal(const QString& workspace, const QString& topic = {}) { Q_EMIT reveal_requested(workspace, topic); }
 
  Q_SIGNALS:
+  void takes_folder_changed();
+  void disk_changed();  ///< It is known how much room there is.
   void wearer_changed();
   void reveal_requested(const QString& workspace, const QString& topic);
 
  private:
+  void ask_disk();
   StudioServices services_;
   QSettings settings_;
   JobRunner jobs_;
@@ -77,10 +85,15 @@ class StudioContext : public QObject {
   LiveModel live_;
   SaveQueue saves_;
   MarkerModel markers_;
-  struct DiskSpace;
-  mutable QElapsedTimer disk_asked_;         ///< At most once a second.
-  mutable std::shared_ptr<DiskSpace> disk_;  ///< Of the takes folder; outlives this in the hands of who asks.
-  mutable QString made_folder_;              ///< Made already.
+  TakeEdits take_edits_;
+  /// Asked beside the window, for a disk may be asleep, and by a thread of its own that nobody waits for.
+  struct Disk {
+    std::atomic<qint64> free{-1};  ///< Bytes.
+    std::atomic<bool> answered{false};
+  };
+  std::shared_ptr<Disk> disk_, asked_disk_;
+  QElapsedTimer disk_asked_;
+  QTimer disk_timer_;
 };
 
 }  // namespace limbwave::ui

@@ -40,6 +40,7 @@ void TakeDocument::open(const QString& folder) {
 void TakeDocument::set(take::Take take) {
   ++attempt_;
   const bool other = !take_ || take_->folder != take.folder;
+  opening_ += other ? 1 : 0;
   take_ = std::make_shared<const take::Take>(std::move(take));
   Q_EMIT changed(other);
 }
@@ -50,6 +51,16 @@ void TakeDocument::set_events(std::vector<take::TakeEvent> events) {
     next.events = std::move(events);
     take_ = std::make_shared<const take::Take>(std::move(next));
     Q_EMIT events_changed();
+  }
+}
+
+void TakeDocument::describe(const std::filesystem::path& folder, const std::string& subject) {
+  if (take_) {
+    take::Take next = *take_;
+    next.folder = folder;
+    next.info.subject = subject;
+    take_ = std::make_shared<const take::Take>(std::move(next));
+    Q_EMIT described();
   }
 }
 

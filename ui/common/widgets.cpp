@@ -91,6 +91,8 @@ EmptyState::EmptyState(const QString& icon_name, QWidget* parent)
   buttons_->addStretch();
   buttons_->addStretch();
   layout->addLayout(buttons_);
+  links_ = new QVBoxLayout;
+  layout->addLayout(links_);
   layout->addStretch(3);
   update_icon();
 }
@@ -107,6 +109,12 @@ QPushButton* EmptyState::add_button(const QString& text, bool primary) {
   button->setProperty("primary", primary);
   buttons_->insertWidget(buttons_->count() - 1, button);
   return button;
+}
+
+QLabel* EmptyState::add_link(const QString& text) {
+  QLabel* link = link_label(text, this);
+  links_->addWidget(link, 0, Qt::AlignCenter);
+  return link;
 }
 
 void EmptyState::changeEvent(QEvent* event) {
@@ -158,6 +166,14 @@ QLabel* dim_label(const QString& text, QWidget* parent) {
 QLabel* heading_label(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setProperty("role", "heading");
+  return label;
+}
+
+QLabel* link_label(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(QStringLiteral("<a href=\"#\">%1</a>").arg(text.toHtmlEscaped()), parent);
+  label->setAccessibleName(text);
+  label->setFocusPolicy(Qt::StrongFocus);
+  label->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
   return label;
 }
 

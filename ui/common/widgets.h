@@ -48,6 +48,8 @@ class EmptyState : public QWidget {
   explicit EmptyState(const QString& icon_name, QWidget* parent = nullptr);
   void set_texts(const QString& title, const QString& remedy);
   QPushButton* add_button(const QString& text, bool primary);
+  /// A quiet link below the buttons: "Learn how", which explains more than a sentence can.
+  QLabel* add_link(const QString& text);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -59,6 +61,7 @@ class EmptyState : public QWidget {
   QLabel* title_;
   QLabel* remedy_;
   QHBoxLayout* buttons_;
+  QVBoxLayout* links_;
 };
 
 /// States of health: a shape, a colour and words, never colour alone.
@@ -70,6 +73,8 @@ QColor tone_color(const QPalette& palette, Tone tone);
 
 QLabel* dim_label(const QString& text, QWidget* parent = nullptr);
 QLabel* heading_label(const QString& text, QWidget* parent = nullptr);
+/// Words that look and behave like a link; `linkActivated` when they are clicked or Enter is pressed on them.
+QLabel* link_label(const QString& text, QWidget* parent = nullptr);
 /// A flat button with an icon only; the text becomes tooltip and accessible name.
 QToolButton* icon_button(const QString& icon_name, const QString& text, QWidget* parent = nullptr);
 /// Sets a dynamic property and lets the stylesheet see it.

@@ -31,6 +31,8 @@ CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::Calibration
   device->setObjectName(QStringLiteral("open_device"));
   const auto go_to_devices = [this] { context_.reveal(QStringLiteral("capture"), QStringLiteral("devices")); };
   connect(device, &QPushButton::clicked, this, go_to_devices);
+  connect(empty_->add_link(tr("Learn how sensors are calibrated")), &QLabel::linkActivated, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("range")); });
   QPushButton* recording = empty_->add_button(tr("Calibrate from a recording"), false);
   recording->setObjectName(QStringLiteral("empty_from_take"));
   connect(recording, &QPushButton::clicked, this, &CalibrateWorkspace::start_stretch);

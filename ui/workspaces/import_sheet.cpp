@@ -1,16 +1,12 @@
 #include "workspaces/import_sheet.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
-#include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
 #include "common/format.h"
-#include "common/theme.h"
 #include "common/widgets.h"
 
 namespace limbwave::ui {
@@ -25,36 +21,27 @@ QString import_name(const QString& takes_folder, const QString& file) {
   return name;
 }
 
-ImportSheet::ImportSheet(StudioContext& context, const QStringList& files, QWidget* parent)
-    : QDialog(parent),
-      context_(context),
-      name_(new QLineEdit(this)),
-      rig_(new QComboBox(this)),
-      subject_(new QLineEdit(this)),
-      problem_(new QLabel(this)) {
-  setObjectName(QStringLiteral("import_sheet"));
-  setWindowTitle(tr("Import recordings"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(3 * kGrid, 3 * kGrid, 3 * kGrid, 2 * kGrid);
-  layout->setSpacing(2 * kGrid);
+namespace {
+
+QString sentence(const QStringList& files) {
   QStringList names;
   for (const QString& file : files) {
     names << QFileInfo(file).fileName();
   }
-  auto* what = new QLabel(files.size() == 1 ? tr("%1 becomes a take.").arg(names.first())
-                                            : tr("These become one take, in this order: %1").arg(names.join(tr(", "))),
-                          this);
-  what->setWordWrap(true);
-  layout->addWidget(what);
-  auto* form = new QFormLayout;
-  form->setHorizontalSpacing(2 * kGrid);
-  form->setVerticalSpacing(kGrid);
-  name_->setObjectName(QStringLiteral("import_name"));
-  name_->setAccessibleName(tr("Name of the take"));
-  name_->setMaxLength(200);
-  name_->setText(import_name(context_.takes_folder(), files.first()));
+  return files.size() == 1
+             ? ImportSheet::tr("%1 becomes a take.").arg(names.first())
+             : ImportSheet::tr("These become one take, in this order: %1").arg(names.join(ImportSheet::tr(", ")));
+}
+
+}  // namespace
+
+ImportSheet::ImportSheet(StudioContext& context, const QStringList& files, QWidget* parent)
+    : FormSheet(tr("Import recordings"), sentence(files), tr("Import"), parent),
+      context_(context),
+      rig_(new QComboBox(this)) {
+  setObjectName(QStringLiteral("import_sheet"));
+  name_ = add_line(tr("Take"), QStringLiteral("import_name"), import_name(context_.takes_folder(), files.first()), {});
   rig_->setObjectName(QStringLiteral("import_rig"));
-  rig_->setAccessibleName(tr("Rig"));
   rig_->setToolTip(tr("What was worn where"));
   if (context_.services().list_rigs) {
     for (const RigChoice& rig : context_.services().list_rigs()) {
@@ -67,27 +54,15 @@ ImportSheet::ImportSheet(StudioContext& context, const QStringList& files, QWidg
     rig_->addItem(last, last);
   }
   rig_->setCurrentIndex(rig_->findData(last));
-  subject_->setObjectName(QStringLiteral("import_subject"));
-  subject_->setAccessibleName(tr("Subject"));
-  subject_->setPlaceholderText(tr("Who wore the sensors"));
+  add_row(tr("Rig"), rig_);
+  subject_ = add_line(tr("Subject"), QStringLiteral("import_subject"), context_.wearer(), tr("Who wore the sensors"));
   subject_->setToolTip(tr("The mounting of this person in the calibration library is used"));
-  subject_->setMaxLength(200);
-  subject_->setText(context_.wearer());
-  form->addRow(dim_label(tr("Take"), this), name_);
-  form->addRow(dim_label(tr("Rig"), this), rig_);
-  form->addRow(dim_label(tr("Subject"), this), subject_);
-  layout->addLayout(form);
-  problem_->setProperty("role", "danger");
-  problem_->setWordWrap(true);
-  layout->addWidget(problem_);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  import_ = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
-  import_->setObjectName(QStringLiteral("import_button"));
-  layout->addWidget(buttons);
+  QLabel* learn = link_label(tr("Learn how to record without a computer"), this);
+  add_wide(learn);
+  connect(learn, &QLabel::linkActivated, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("recorder")); });
+  verb()->setObjectName(QStringLiteral("import_button"));
   connect(name_, &QLineEdit::textChanged, this, &ImportSheet::check);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  setMinimumWidth(56 * kGrid);
   check();
 }
 
@@ -104,10 +79,7 @@ QString ImportSheet::subject() const {
 }
 
 void ImportSheet::check() {
-  const QString problem = take_name_problem(context_.takes_folder(), take_name());
-  problem_->setText(problem);
-  problem_->setVisible(!problem.isEmpty());
-  import_->setEnabled(problem.isEmpty());
+  set_problem(take_name_problem(context_.takes_folder(), take_name()));
 }
 
 }  // namespace limbwave::ui

@@ -1,18 +1,14 @@
 /// What must be known of recordings before they become a take: its name, the rig, and who wore it.
 #pragma once
 
-#include <QDialog>
-
 #include "common/studio_context.h"
+#include "workspaces/form_sheet.h"
 
 class QComboBox;
-class QLabel;
-class QLineEdit;
-class QPushButton;
 
 namespace limbwave::ui {
 
-class ImportSheet : public QDialog {
+class ImportSheet : public FormSheet {
   Q_OBJECT
  public:
   ImportSheet(StudioContext& context, const QStringList& files, QWidget* parent);
@@ -23,11 +19,9 @@ class ImportSheet : public QDialog {
  private:
   void check();
   StudioContext& context_;
-  QLineEdit* name_;
+  QLineEdit* name_ = nullptr;
   QComboBox* rig_;
-  QLineEdit* subject_;
-  QLabel* problem_;
-  QPushButton* import_ = nullptr;
+  QLineEdit* subject_ = nullptr;
 };
 
 /// A free name for the take of a recording: "STEM", "STEM-2" ...

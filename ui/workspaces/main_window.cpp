@@ -16,8 +16,10 @@
 
 #include "common/icons.h"
 #include "common/theme.h"
+#include "workspaces/dock_title.h"
 #include "workspaces/job_bar.h"
 #include "workspaces/layout_store.h"
+#include "workspaces/manual_window.h"
 #include "workspaces/message_bar.h"
 #include "workspaces/mode_bar.h"
 #include "workspaces/shortcut_sheet.h"
@@ -79,6 +81,7 @@ void MainWindow::make_docks() {
   inspector_pages_ = new QStackedWidget(inspector_dock_);
   inspector_pages_->setMinimumWidth(32 * kGrid);
   inspector_dock_->setWidget(inspector_pages_);
+  inspector_dock_->setTitleBarWidget(new DockTitle(inspector_dock_));
   addDockWidget(Qt::RightDockWidgetArea, inspector_dock_);
   inspector_dock_->hide();
   inspector_dock_->installEventFilter(this);
@@ -86,6 +89,7 @@ void MainWindow::make_docks() {
     timeline_dock_ = new QDockWidget(tr("Timeline"), this);
     timeline_dock_->setObjectName(QStringLiteral("timeline"));
     timeline_dock_->setWidget(parts_.timeline(context_, timeline_dock_));
+    timeline_dock_->setTitleBarWidget(new DockTitle(timeline_dock_));
     addDockWidget(Qt::BottomDockWidgetArea, timeline_dock_);
     timeline_dock_->hide();
     timeline_dock_->installEventFilter(this);
@@ -116,6 +120,11 @@ void MainWindow::make_actions() {
       [this] { take_actions_->choose_and_import(); });
   take_menu_->addMenu(recent_menu_);
   take_menu_->addSeparator();
+  QAction* details = add(take_menu_, QStringLiteral("rename"), tr("Details of the take…"), QKeySequence(),
+                         [this] { take_actions_->edit_details(); });
+  details->setObjectName(QStringLiteral("take_details"));
+  connect(take_menu_, &QMenu::aboutToShow, details,
+          [this, details] { details->setEnabled(context_.document().is_open()); });
   add(take_menu_, {}, tr("Close take"), QKeySequence::Close, [this] { context_.document().close(); });
 
   QAction* undo = context_.undo_stack().createUndoAction(this, tr("Undo"));
@@ -156,9 +165,16 @@ void MainWindow::make_actions() {
   main_menu_->addSeparator();
   QAction* help =
       add(main_menu_, QStringLiteral("help"), tr("Keyboard shortcuts"), QKeySequence(), [this] { show_shortcuts(); });
-  help->setShortcuts(
-      {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_Question), QKeySequence(Qt::Key_F1)});
+  help->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_Question)});
   strip_->add_action_button(help);
+  add(main_menu_, QStringLiteral("info"), tr("Manual"), QKeySequence(Qt::Key_F1), [this] {
+    // Where one is, is what one wants to read about.
+    const QString here = current_workspace();
+    show_manual(here == QLatin1String("capture")     ? QStringLiteral("levels")
+                : here == QLatin1String("calibrate") ? QStringLiteral("range")
+                : here == QLatin1String("welcome")   ? QStringLiteral("overview")
+                                                     : QStringLiteral("exporting"));
+  });
   main_menu_->addSeparator();
   add(main_menu_, {}, tr("Quit"), QKeySequence::Quit, [this] { close(); });
 
@@ -178,6 +194,10 @@ void MainWindow::make_actions() {
 
 void MainWindow::follow_context() {
   connect(&context_, &StudioContext::reveal_requested, this, [this](const QString& id, const QString& topic) {
+    if (id == QLatin1String("manual")) {
+      show_manual(topic);
+      return;
+    }
     // Where a workspace does not exist, Capture shows the trouble itself.
     const bool shown = show_workspace(id) || show_workspace(QStringLiteral("capture"));
     if (shown && current_ >= 0 && !topic.isEmpty()) {
@@ -192,6 +212,7 @@ void MainWindow::follow_context() {
     }
   });
   connect(&context_.live(), &LiveModel::recording_changed, this, &MainWindow::update_title);
+  connect(&context_.document(), &TakeDocument::described, this, &MainWindow::update_title);
 }
 
 void MainWindow::show_docks() {
@@ -279,7 +300,7 @@ void MainWindow::update_title() {
   const QString name = context_.document().name();
   const QString program = QStringLiteral("Limbwave");
   QString title = name.isEmpty() ? program : tr("%1 – %2").arg(name, program);
-  if (context_.live().recording()) {
+  if (context_.live().recording() && !context_.live().aside()) {
     title = tr("● Recording – %1").arg(program);
   }
   setWindowTitle(title);
@@ -304,11 +325,24 @@ void MainWindow::show_shortcuts() {
   sheet->open();
 }
 
+void MainWindow::show_manual(const QString& chapter) {
+  if (!manual_) {
+    manual_ = new ManualWindow(shortcut_groups(parts_), this);
+    manual_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  manual_->show_chapter(chapter);
+  manual_->show();
+  manual_->raise();
+  manual_->activateWindow();
+}
+
 bool MainWindow::may_quit() {
   QString what, stop;
   if (context_.live().recording() || context_.live().starting()) {
-    what = tr("A take is being recorded. What is recorded until now is kept.");
-    stop = tr("Stop recording and quit");
+    const bool aside = context_.live().aside();
+    what = aside ? tr("A calibration is under way. What is not saved is lost.")
+                 : tr("A take is being recorded. What is recorded until now is kept.");
+    stop = aside ? tr("Leave it and quit") : tr("Stop recording and quit");
   } else {
     for (const Job* job : context_.jobs().jobs()) {
       if (job->elapsed_s() > 1.0) {
@@ -334,7 +368,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   // A recording is closed properly by the session's destructor.
-  if (context_.live().recording() && context_.live().snapshot()) {
+  if (context_.live().recording() && !context_.live().aside() && context_.live().snapshot()) {
     context_.recent_takes().add(QString::fromStdString(context_.live().snapshot()->take_folder.string()));
   }
   save_layout(*this, context_.settings());

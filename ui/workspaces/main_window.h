@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 #include <vector>
 
 #include "workspaces/workspace.h"
@@ -15,6 +16,7 @@ class QStackedWidget;
 
 namespace limbwave::ui {
 
+class ManualWindow;
 class ModeBar;
 class StatusStrip;
 class TakeActions;
@@ -34,6 +36,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Workspace* workspace(const QString& id) const;
   [[nodiscard]] TakeActions& take_actions() { return *take_actions_; }
   void show_shortcuts();
+  /// At a chapter: "levels".
+  void show_manual(const QString& chapter);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -64,6 +68,7 @@ class MainWindow : public QMainWindow {
   ModeBar* modes_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   WelcomePage* welcome_ = nullptr;
+  QPointer<ManualWindow> manual_;
   std::vector<Workspace*> workspaces_;  ///< By index of the table; null until shown.
   std::vector<QWidget*> inspectors_;    ///< The same.
   QDockWidget* inspector_dock_ = nullptr;

@@ -27,7 +27,8 @@ std::vector<ShortcutGroup> shortcut_groups(const StudioParts& parts) {
        {QStringLiteral("Ctrl+Shift+Z / Ctrl+Y"), ShortcutSheet::tr("Redo")},
        {QStringLiteral("F3 / F4"), ShortcutSheet::tr("Show or hide the inspector, the timeline")},
        {QStringLiteral("F11"), ShortcutSheet::tr("Full screen")},
-       {QStringLiteral("? / Shift+? / F1"), ShortcutSheet::tr("This sheet")},
+       {QStringLiteral("F1"), ShortcutSheet::tr("The manual")},
+       {QStringLiteral("? / Shift+?"), ShortcutSheet::tr("All keyboard shortcuts")},
        {QStringLiteral("Ctrl+Q"), ShortcutSheet::tr("Quit")}}};
   for (const StudioAction& action : parts.actions) {
     everywhere.shortcuts.push_back({action.keys.toString(QKeySequence::NativeText), action.what});

@@ -36,6 +36,10 @@ StatusFact StatusFacts::record(const StatusInput& in) {
     fact.tone = Tone::kDanger;
     fact.text = tr("recording stopped");
     fact.detail = core_text(live->recording_error);
+  } else if (in.aside && (in.recording || in.finishing)) {
+    fact.text = tr("calibrating");
+    fact.detail = tr("A calibration is under way; its raw signals are kept in a take of their own.");
+    fact.workspace = QStringLiteral("calibrate");
   } else if (in.finishing) {
     fact.text = tr("closing the take");
     fact.detail = tr("The last samples are being written.");

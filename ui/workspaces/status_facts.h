@@ -23,6 +23,7 @@ struct StatusFact {
 struct StatusInput {
   LiveState state = LiveState::kOff;
   bool recording = false, finishing = false;
+  bool aside = false;                             ///< The raw signals of a calibration are recorded, not a take.
   const solve::LiveSnapshot* snapshot = nullptr;  ///< May be null.
   double disk_left_s = -1.0;                      ///< Negative: not known.
   solve::LatencyReport latency = {};              ///< Without poses: not known.

@@ -138,6 +138,8 @@ StatusStrip::StatusStrip(StudioContext& context, QMenu* take_menu, QMenu* main_m
   connect(&context_.live(), &LiveModel::snapshot_changed, this, &StatusStrip::refresh);
   connect(&context_.live(), &LiveModel::recording_changed, this, &StatusStrip::refresh);
   connect(&context_.document(), &TakeDocument::changed, this, &StatusStrip::refresh);
+  connect(&context_.document(), &TakeDocument::described, this, &StatusStrip::refresh);
+  connect(&context_, &StudioContext::disk_changed, this, &StatusStrip::refresh);
   refresh();
 }
 
@@ -157,6 +159,7 @@ void StatusStrip::refresh() {
   const StatusInput input{.state = live.state(),
                           .recording = live.recording(),
                           .finishing = live.finishing(),
+                          .aside = live.aside(),
                           .snapshot = live.snapshot().get(),
                           .disk_left_s = context_.disk_left_s(),
                           .latency = live.latency(),

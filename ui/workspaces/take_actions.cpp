@@ -9,6 +9,7 @@
 #include "interchange/animation_file.h"
 #include "workspaces/export/export_source_card.h"
 #include "workspaces/import_sheet.h"
+#include "workspaces/take_sheet.h"
 
 namespace limbwave::ui {
 namespace {
@@ -71,8 +72,11 @@ void TakeActions::choose_and_import() {
 
 void TakeActions::open(const QString& folder) {
   if (context_.live().recording() || context_.live().starting() || context_.live().finishing()) {
-    context_.notifications().post(Severity::kWarning, tr("A take is being recorded."),
-                                  tr("Stop the recording before another take is opened."));
+    const bool aside = context_.live().aside();
+    context_.notifications().post(Severity::kWarning,
+                                  aside ? tr("A calibration is under way.") : tr("A take is being recorded."),
+                                  aside ? tr("Finish or leave it before another take is opened.")
+                                        : tr("Stop the recording before another take is opened."));
     return;
   }
   context_.document().open(folder);
@@ -108,6 +112,14 @@ void TakeActions::import_as(const QStringList& files, const QString& name, const
         }
         open(folder);
       });
+}
+
+void TakeActions::edit_details() {
+  if (context_.document().is_open()) {
+    auto* sheet = new TakeSheet(context_, window_);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->open();
+  }
 }
 
 void TakeActions::open_demo(const QString& motion) {

@@ -29,6 +29,8 @@ class TakeActions : public QObject {
   void import_as(const QStringList& files, const QString& name, const QString& rig, const QString& subject);
   /// Opens the demo take of this motion, simulating it first when it is not on disk yet.
   void open_demo(const QString& motion);
+  /// Name, subject and sensors of the open take, to be changed.
+  void edit_details();
 
   /// Whether a file is an animation that can be opened.
   static bool is_animation(const QString& file);

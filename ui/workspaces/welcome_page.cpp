@@ -81,6 +81,10 @@ WelcomePage::WelcomePage(StudioContext& context, TakeActions& actions, QWidget* 
   auto* animation = add_button(QStringLiteral("export"), tr("Open animation"),
                                tr("BVH, FBX or glTF of another program, to look at it and to export it on"), false);
   connect(animation, &QPushButton::clicked, this, [this] { actions_.choose_and_open_animation(); });
+  auto* manual = add_button(QStringLiteral("help"), tr("Manual"), tr("From the wiring to the animation (F1)"), false);
+  manual->setObjectName(QStringLiteral("welcome_manual"));
+  connect(manual, &QPushButton::clicked, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("overview")); });
   buttons->addStretch();
   column->addLayout(buttons);
   column->addWidget(dim_label(tr("or drop recordings, takes and animations anywhere on this window"), content));

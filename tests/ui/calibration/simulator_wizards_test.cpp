@@ -106,11 +106,23 @@ struct Bench {
     }
     return {};
   }
-  /// Turns all sensors until each has enough.
-  void turn_to_the_end() {
+  /// To the page on which sensors are turned.
+  void begin_turning() {
     click("calibrate_range");
     click("next");
     click("next");
+  }
+  /// To the countdown of the first pose of a group of the rig.
+  void begin_poses(int group, double countdown_s) {
+    click("calibrate_mounting");
+    workspace->limb_model().choose_group(group);
+    workspace->limb_model().set_countdown_s(countdown_s);
+    click("next");
+    click("next");
+  }
+  /// Turns all sensors until each has enough.
+  void turn_to_the_end() {
+    begin_turning();
     QTRY_VERIFY_WITH_TIMEOUT(workspace->range_model().all_enough(), 240000);
     click("next");
     QTRY_VERIFY_WITH_TIMEOUT(button("accept_0") != nullptr, 60000);
@@ -196,11 +208,7 @@ class SimulatorWizardsTest : public QObject {
     const calibrate::RigCalibration found = bench.workspace->desk().calibration();
     QVERIFY(bench.wears("poses"));
     bench.workspace->desk().apply(found);
-    bench.click("calibrate_mounting");
-    bench.workspace->limb_model().choose_group(0);
-    bench.workspace->limb_model().set_countdown_s(30.0);
-    bench.click("next");
-    bench.click("next");
+    bench.begin_poses(0, 30.0);
     QSignalSpy limb_cues(&bench.workspace->limb_wizard()->sounds(), &CueSounds::played);
     bench.hold_both(0);
     QVERIFY2(limb_cues.size() >= 3, "start and capture are heard");
@@ -234,9 +242,7 @@ class SimulatorWizardsTest : public QObject {
     Bench bench;
     // Boxing is no slow turning.
     QVERIFY(bench.wears("box"));
-    bench.click("calibrate_range");
-    bench.click("next");
-    bench.click("next");
+    bench.begin_turning();
     QSet<QString> advice;
     for (int i = 0; i < 60; ++i) {
       QTest::qWait(100);
@@ -254,10 +260,8 @@ class SimulatorWizardsTest : public QObject {
     bench.workspace->range_model().cancel();
 
     // Who moves all the time is never captured.
-    bench.click("calibrate_mounting");
-    bench.click("next");
-    bench.click("next");
-    bench.click("next");
+    bench.begin_poses(0, 5.0);
+    bench.click("next");  // "Skip the wait"
     QTRY_VERIFY_WITH_TIMEOUT(bench.label("advice").startsWith(QStringLiteral("Moves: ")), 30000);
     QCOMPARE(bench.workspace->limb_model().page(), LimbPage::kHold);
     bench.workspace->limb_model().cancel();
@@ -265,11 +269,7 @@ class SimulatorWizardsTest : public QObject {
     // Poses 12° beside what was asked for.
     bench.pose_angle = 12.0 * std::numbers::pi / 180.0;
     QVERIFY(bench.wears("poses"));
-    bench.click("calibrate_mounting");
-    bench.workspace->limb_model().choose_group(0);
-    bench.workspace->limb_model().set_countdown_s(30.0);
-    bench.click("next");
-    bench.click("next");
+    bench.begin_poses(0, 30.0);
     bench.hold_both(0);
     shoot(bench, QStringLiteral("limb-bad"));
     QVERIFY2(bench.workspace->limb_model().bad() > 0 || !bench.workspace->limb_model().refusal().message.empty(),
@@ -279,9 +279,7 @@ class SimulatorWizardsTest : public QObject {
   void a_device_that_dies_while_sensors_are_turned_leaves_the_take_as_far_as_it_got() {
     Bench bench;
     QVERIFY(bench.wears("range"));
-    bench.click("calibrate_range");
-    bench.click("next");
-    bench.click("next");
+    bench.begin_turning();
     RangeWizardModel& model = bench.workspace->range_model();
     QTRY_VERIFY_WITH_TIMEOUT(model.turning_s() > 5.0, 60000);
     const std::filesystem::path recorded = bench.workspace->desk().recording_folder();
@@ -317,10 +315,8 @@ class SimulatorWizardsTest : public QObject {
   void a_device_that_dies_while_a_pose_is_held_says_what_to_do() {
     Bench bench;
     QVERIFY(bench.wears("box"));
-    bench.click("calibrate_mounting");
-    bench.click("next");
-    bench.click("next");
-    bench.click("next");
+    bench.begin_poses(0, 5.0);
+    bench.click("next");  // "Skip the wait"
     QTRY_VERIFY_WITH_TIMEOUT(bench.workspace->limb_model().progress().seconds > 1.5, 30000);
     const std::filesystem::path recorded = bench.workspace->desk().recording_folder();
     *bench.pulled = true;

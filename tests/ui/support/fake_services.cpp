@@ -1,5 +1,7 @@
 #include "ui/support/fake_services.h"
 
+#include <QCoreApplication>
+#include <QThread>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -42,6 +44,15 @@ class FakeBackend : public LiveBackend {
  public:
   FakeBackend(std::shared_ptr<FakeLine> line, solve::LiveSettings settings)
       : line_(std::move(line)), settings_(std::move(settings)), begin_(steady_now_s()) {}
+  ~FakeBackend() override {
+    // What is left over at the very end may be ended there.
+    if (QCoreApplication::instance() != nullptr && !QCoreApplication::closingDown() &&
+        QThread::currentThread() == QCoreApplication::instance()->thread()) {
+      line_->ended_in_gui_thread = true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(line_->slow_close_ms));
+    --line_->open_now;
+  }
 
   Status start() override { return {}; }
   void stop() override {}
@@ -239,6 +250,10 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
     simulator.id = "simulator:wave";
     simulator.title = "Simulator: waving";
     simulator.channels = 2;
+    // The real list has one for every motion.
+    devices.push_back(simulator);
+    simulator.id = "simulator:walk";
+    simulator.title = "Simulator: walking";
     devices.push_back(simulator);
     return devices;
   };
@@ -247,6 +262,10 @@ StudioServices fake_services(const std::shared_ptr<FakeLine>& line) {
     if (line->fail_open) {
       return Error{"the device is busy", id, "close the program that uses it, then choose it again"};
     }
+    if (line->open_now > 0 && line->exclusive) {
+      return Error{"the device is busy", id, "close the program that uses it, then choose it again"};
+    }
+    ++line->open_now;
     ++line->opened;
     line->setup = setup;
     return std::unique_ptr<acquire::LiveSource>(std::make_unique<FakeSource>());

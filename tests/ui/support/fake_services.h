@@ -26,6 +26,10 @@ struct FakeLine {
   bool fail_open = false;       ///< The device refuses to open.
   bool fail_recording = false;  ///< The folder cannot be made.
   bool no_devices = false;
+  bool exclusive = false;  ///< The device can be opened once at a time.
+  int slow_close_ms = 0;
+  std::atomic<bool> ended_in_gui_thread = false;
+  std::atomic<int> open_now = 0;
   std::vector<take::TakeEvent> events;  ///< Lines written into the running recording: markers and their changes.
   int opened = 0;                       ///< How often a device was opened.
   DeviceSetup setup;                    ///< How it was opened last.

@@ -278,6 +278,8 @@ class CaptureTest : public QObject {
     QVERIFY(wait_for_devices(capture));
     auto* simulator = capture.find<QPushButton>("use_simulator");
     QTRY_VERIFY(simulator->isVisible());
+    QVERIFY(capture.workspace->findChild<EmptyState*>()->accessibleName().startsWith(QStringLiteral("No sound card")));
+    QVERIFY(capture.studio.window->grab().save(screenshot_path(QStringLiteral("capture-no-card"))));
     QTest::mouseClick(simulator, Qt::LeftButton);
     QTRY_VERIFY(capture.live().running());
     QTRY_VERIFY(capture.find<ScopeView>("scope")->isVisible());
@@ -398,8 +400,8 @@ class CaptureTest : public QObject {
     QTRY_VERIFY(edit->isEnabled());
     const int opened = line->opened;
     QTest::mouseClick(edit, Qt::LeftButton);
+    QTRY_VERIFY(capture.studio.window->findChild<BoardDialog*>() != nullptr);
     auto* dialog = capture.studio.window->findChild<BoardDialog*>();
-    QVERIFY(dialog != nullptr);
     QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("board_name")), QStringLiteral("Lab 2"));
     QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("serial_1")), QStringLiteral("K7"));
     QTest::keyClicks(dialog->findChild<QLineEdit*>(QStringLiteral("serial_2")), QStringLiteral("K7"));
@@ -412,6 +414,102 @@ class CaptureTest : public QObject {
     QCOMPARE(rig.accelerometers[0].serial, std::string("Lab 2: torso"));
     QCOMPARE(rig.accelerometers[2].serial, std::string("K7b"));
     qputenv("LIMBWAVE_HOME", before);
+  }
+
+  void mixed_up_sensors_are_put_right_and_back_again() {
+    QTemporaryDir home;
+    const QByteArray before = qgetenv("LIMBWAVE_HOME");
+    qputenv("LIMBWAVE_HOME", home.path().toLocal8Bit());
+    auto line = std::make_shared<FakeLine>();
+    Capture capture(line);
+    QVERIFY(choose(capture, "portaudio:ALSA:card"));
+    const auto in_book = [] { return take::BoardBook().board("portaudio:ALSA:card", "line-in-arm").value().places; };
+    QTest::mouseClick(capture.find<QToolButton>("edit_board"), Qt::LeftButton);
+    QTRY_VERIFY(capture.studio.window->findChild<BoardDialog*>() != nullptr);
+    auto* dialog = capture.studio.window->findChild<BoardDialog*>();
+    auto* hand = dialog->findChild<QComboBox*>(QStringLiteral("place_3"));
+    QCOMPARE(hand->currentText(), QStringLiteral("hand"));
+    hand->setCurrentText(QStringLiteral("forearm"));
+    Q_EMIT hand->textActivated(QStringLiteral("forearm"));
+    QCOMPARE(dialog->findChild<QComboBox*>(QStringLiteral("place_2"))->currentText(), QStringLiteral("hand"));
+    QVERIFY(dialog->grab().save(screenshot_path(QStringLiteral("capture-board"))));
+    QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("keep_board")), Qt::LeftButton);
+    const std::vector<std::string> swapped{"torso", "upper arm", "hand", "forearm", "fingers"};
+    QTRY_COMPARE(line->opened, 2);
+    QCOMPARE(in_book(), swapped);
+    // Undone and redone faster than anything can be written, the last wish stands.
+    QUndoStack& stack = capture.studio.context->undo_stack();
+    QVERIFY(stack.undoText().contains(QStringLiteral("sensor board")));
+    stack.undo();
+    capture.studio.context->saves().finish();
+    QVERIFY(in_book().empty());
+    stack.redo();
+    stack.undo();
+    stack.redo();
+    capture.studio.context->saves().finish();
+    QCOMPARE(in_book(), swapped);
+    QTRY_VERIFY(capture.live().running());
+    qputenv("LIMBWAVE_HOME", before);
+  }
+
+  void the_format_and_the_folder_are_undone() {
+    auto line = std::make_shared<FakeLine>();
+    Capture capture(line);
+    QVERIFY(choose(capture, "portaudio:ALSA:card"));
+    DeviceSetup setup;
+    setup.rate_hz = 96000.0;
+    capture.workspace->model().set_device_setup(setup);
+    QTRY_COMPARE(line->setup.rate_hz, 96000.0);
+    QTRY_VERIFY(capture.live().running());
+    const QString folder = capture.studio.context->takes_folder();
+    capture.workspace->model().set_takes_folder(folder + QStringLiteral("/deeper"));
+    QCOMPARE(capture.studio.context->takes_folder(), folder + QStringLiteral("/deeper"));
+    QVERIFY(QDir(folder + QStringLiteral("/deeper")).exists());
+    QUndoStack& stack = capture.studio.context->undo_stack();
+    stack.undo();
+    QCOMPARE(capture.studio.context->takes_folder(), folder);
+    QVERIFY(capture.workspace->model().take_folder().startsWith(folder + QStringLiteral("/take-")));
+    stack.undo();
+    QTRY_COMPARE(line->setup.rate_hz, 0.0);
+    QTRY_VERIFY(capture.live().running());
+  }
+
+  void a_device_is_closed_before_it_is_opened_again() {
+    auto line = std::make_shared<FakeLine>();
+    line->exclusive = true;
+    line->slow_close_ms = 200;
+    Capture capture(line);
+    QVERIFY(choose(capture, "portaudio:ALSA:card"));
+    for (int i = 0; i < 3; ++i) {
+      capture.workspace->model().set_rig(i % 2 == 0 ? QStringLiteral("other") : QStringLiteral("line-in-arm"));
+    }
+    QTRY_VERIFY(capture.live().running());
+    QCOMPARE(capture.live().problem(), QString());
+    // What was overtaken was ended by nobody who should have been drawing.
+    QTRY_VERIFY(capture.studio.context->jobs().jobs().empty());
+    QVERIFY(!line->ended_in_gui_thread);
+  }
+
+  void the_raw_signals_of_a_calibration_are_nobodys_take() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(choose(capture, "simulator:wave"));
+    const std::filesystem::path folder = capture.studio.folder.filePath(QStringLiteral("aside.take")).toStdString();
+    QVERIFY(capture.live().start_recording(folder, {}, true));
+    QTRY_VERIFY(capture.live().recording());
+    QTest::qWait(100);
+    QVERIFY(!capture.find<OverviewView>("overview")->isVisible());
+    QVERIFY(!capture.find<QPushButton>("record_button")->isEnabled());
+    QVERIFY(!capture.studio.window->windowTitle().contains(QStringLiteral("Recording")));
+    const auto facts = capture.studio.window->findChildren<StatusButton*>();
+    QVERIFY(std::any_of(facts.begin(), facts.end(), [](const StatusButton* button) {
+      return button->fact().text == QStringLiteral("calibrating");
+    }));
+    capture.workspace->model().toggle_recording();
+    QVERIFY2(capture.live().recording(), "R in Capture is for takes");
+    capture.live().stop_recording();
+    QTRY_VERIFY(!capture.live().finishing());
+    QVERIFY(!capture.studio.context->document().is_open());
+    QTRY_VERIFY(capture.find<QPushButton>("record_button")->isEnabled());
   }
 
   void another_folder_suggests_another_name() {

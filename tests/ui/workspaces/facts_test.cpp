@@ -124,6 +124,8 @@ TEST(LevelAdvice, TellsTheDecodersFindingsWhileTheyAreFresh) {
                       {Severity::kWarning, "line-in.hum", "hum", "use another cable", "", 18.0},
                       {Severity::kError, "line-in.mono", "both channels are the same", "use a stereo cable", "", 19.0},
                       {Severity::kWarning, "line-in.hum", "strong hum", "use another cable", "", 19.0}};
+  EXPECT_EQ(level_advice(&shot).front().tone, Tone::kWarning) << "red is for losing data";
+  shot.recording = true;
   const std::vector<Advice> advice = level_advice(&shot);
   ASSERT_EQ(advice.size(), 2U);
   EXPECT_EQ(advice[0].title, "Both channels are the same");

@@ -1,19 +1,15 @@
-/// Which board hangs on the device: its name, and the serials of its sensors where they have any. Calibrations are kept
-/// by them.
+/// Which board hangs on the device: its name, where its sensors are worn, and their serials where they have any.
+/// Calibrations are kept by them.
 #pragma once
 
-#include <QDialog>
-#include <vector>
-
 #include "take/board_book.h"
-
-class QLabel;
-class QLineEdit;
-class QPushButton;
+#include "workspaces/form_sheet.h"
 
 namespace limbwave::ui {
 
-class BoardDialog : public QDialog {
+class SensorTable;
+
+class BoardDialog : public FormSheet {
   Q_OBJECT
  public:
   /// `rig` as its file has it.
@@ -21,11 +17,9 @@ class BoardDialog : public QDialog {
   [[nodiscard]] take::Board board() const;
 
  private:
-  void check();
+  std::vector<std::string> own_places_;
   QLineEdit* name_;
-  std::vector<QLineEdit*> serials_;
-  QLabel* problem_;
-  QPushButton* keep_;
+  SensorTable* sensors_;
 };
 
 }  // namespace limbwave::ui

@@ -1,8 +1,10 @@
 #include "workspaces/capture/capture_model.h"
 
 #include <QDir>
+#include <QPointer>
 #include <QUndoCommand>
 #include <algorithm>
+#include <utility>
 
 #include "common/core_text.h"
 #include "common/format.h"
@@ -33,6 +35,42 @@ class SetupCommand : public QUndoCommand {
   int field_;
 };
 
+/// How a device is opened.
+class FormatCommand : public QUndoCommand {
+ public:
+  FormatCommand(CaptureModel& model, acquire::DeviceInfo device, DeviceSetup before, DeviceSetup after,
+                const QString& text)
+      : QUndoCommand(text), model_(model), device_(std::move(device)), before_(before), after_(after) {}
+  void redo() override { model_.put_format(device_, after_); }
+  void undo() override { model_.put_format(device_, before_); }
+
+ private:
+  CaptureModel& model_;
+  acquire::DeviceInfo device_;
+  DeviceSetup before_, after_;
+};
+
+/// Which sensors hang on a device, and where they are worn.
+class BoardCommand : public QUndoCommand {
+ public:
+  BoardCommand(CaptureModel& model, QString device, std::string rig, take::Board before, take::Board after,
+               const QString& text)
+      : QUndoCommand(text),
+        model_(model),
+        device_(std::move(device)),
+        rig_(std::move(rig)),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
+  void redo() override { model_.put_board(device_, rig_, after_); }
+  void undo() override { model_.put_board(device_, rig_, before_); }
+
+ private:
+  CaptureModel& model_;
+  QString device_;
+  std::string rig_;
+  take::Board before_, after_;
+};
+
 CaptureModel& CaptureModel::of(StudioContext& context) {
   if (auto* made = context.findChild<CaptureModel*>({}, Qt::FindDirectChildrenOnly)) {
     return *made;
@@ -50,6 +88,7 @@ CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
   }
   setup_.rig = context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
   setup_.subject = context.wearer();
+  setup_.folder = context.takes_folder();
   const auto known = std::any_of(rigs_.begin(), rigs_.end(),
                                  [this](const RigChoice& rig) { return rig.name == setup_.rig.toStdString(); });
   if (!rigs_.empty() && !known) {
@@ -63,6 +102,16 @@ CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
     suggest_name();
   });
   connect(&live, &LiveModel::recording_failed, this, &CaptureModel::suggest_name);
+  connect(&live, &LiveModel::recording_changed, this, [this] {
+    if (!reopen_.isEmpty()) {
+      reopen(std::exchange(reopen_, {}));
+    }
+  });
+  connect(&context_.take_edits(), &TakeEdits::moved, this, &CaptureModel::suggest_name);
+  connect(&context_, &StudioContext::takes_folder_changed, this, [this] {
+    setup_.folder = context_.takes_folder();
+    suggest_name();
+  });
   connect(&context_, &StudioContext::wearer_changed, this, [this] {
     if (setup_.subject != context_.wearer()) {
       setup_.subject = context_.wearer();  // said elsewhere: in a wizard
@@ -80,34 +129,41 @@ void CaptureModel::load_rig_names() {
   if (!context_.services().load_rig) {
     return;
   }
-  using Settings = solve::LiveSettings;
-  context_.jobs().compute<Settings>(
+  // With it the calibration library is read, which may be large.
+  context_.jobs().compute<solve::LiveSettings>(
       tr("Reading the rig"), this,
       [load_rig = context_.services().load_rig, rig = rig().toStdString(),
        subject = subject().toStdString()](const Progress&) { return load_rig(rig, subject, {}); },
-      [this, wanted = rig()](const Result<Settings>& settings) {
-        if (wanted != rig()) {
-          return;  // Another one was chosen meanwhile.
+      [this, rig = rig()](const Result<solve::LiveSettings>& settings) {
+        if (rig != this->rig()) {
+          return;
         }
         sensor_names_.clear();
         if (!settings) {
-          context_.notifications().post_error(tr("Rig %1").arg(rig()), settings.error());
-          return;
+          context_.notifications().post_error(tr("Rig %1").arg(rig), settings.error());
+        } else {
+          for (const body::Accelerometer& sensor : settings.value().rig.accelerometers) {
+            sensor_names_.append(QString::fromStdString(sensor.name));
+          }
+          slot_count_ = settings.value().rig.line_in.slots;
         }
-        for (const body::Accelerometer& sensor : settings->rig.accelerometers) {
-          sensor_names_.append(QString::fromStdString(sensor.name));
-        }
-        slot_count_ = settings->rig.line_in.slots;
         Q_EMIT setup_changed();
       });
 }
 
 QStringList CaptureModel::sensor_names() const {
-  return sensor_names_;
+  if (!context_.live().running()) {
+    return sensor_names_;
+  }
+  QStringList names;  // Sensors may be worn elsewhere than the rig's file has them.
+  for (const body::Accelerometer& sensor : context_.live().settings().rig.accelerometers) {
+    names.append(QString::fromStdString(sensor.name));
+  }
+  return names;
 }
 
 int CaptureModel::slot_count() const {
-  return slot_count_;
+  return context_.live().running() ? context_.live().settings().rig.line_in.slots : slot_count_;
 }
 
 QString CaptureModel::suggested_name(const QString& subject) const {
@@ -203,11 +259,69 @@ void CaptureModel::set_device_setup(const DeviceSetup& setup) {
   if (chosen == nullptr || live.recording() || live.starting() || live.finishing()) {
     return;
   }
-  remember_setup(context_.settings(), *chosen, setup);
-  const QString id = live.device_id();
-  live.close();
-  open_device(id);
+  const DeviceSetup before = device_setup();
+  if (before != setup) {
+    context_.undo_stack().push(new FormatCommand(*this, *chosen, before, setup, tr("format")));
+  }
+}
+
+void CaptureModel::put_format(const acquire::DeviceInfo& device, const DeviceSetup& setup) {
+  remember_setup(context_.settings(), device, setup);
+  reopen(QString::fromStdString(device.id));
   Q_EMIT setup_changed();
+}
+
+void CaptureModel::reopen(const QString& device) {
+  LiveModel& live = context_.live();
+  if (live.recording() || live.starting() || live.finishing()) {
+    reopen_ = device;
+  } else if ((live.state() != LiveState::kOff || !live.problem().isEmpty()) && live.device_id() == device) {
+    live.close();
+    open_device(device);
+  }
+}
+
+void CaptureModel::read_board() {
+  using Read = std::pair<body::Rig, take::Board>;
+  context_.jobs().compute<Read>(
+      tr("Reading the board"), this,
+      [rig = rig().toStdString(), device = context_.live().device_id().toStdString()](const Progress&) -> Result<Read> {
+        Result<body::Rig> loaded = body::load_rig(rig);
+        if (!loaded) {
+          return loaded.error();
+        }
+        Result<take::Board> board = take::BoardBook().board(device, loaded->name);
+        if (!board) {
+          return board.error();
+        }
+        return Read{std::move(loaded).value(), std::move(board).value()};
+      },
+      [this](const Result<Read>& read) {
+        if (!read) {
+          context_.notifications().post_error(tr("The board cannot be read"), read.error());
+          return;
+        }
+        Q_EMIT board_ready(read->first, read->second);
+      });
+}
+
+void CaptureModel::set_board(const QString& device, const std::string& rig, const take::Board& before,
+                             const take::Board& after) {
+  if (before != after) {
+    context_.undo_stack().push(new BoardCommand(*this, device, rig, before, after, tr("sensor board")));
+  }
+}
+
+void CaptureModel::put_board(const QString& device, const std::string& rig, const take::Board& board) {
+  context_.saves().add(
+      tr("The board cannot be kept"),
+      [device = device.toStdString(), rig, board] { return take::BoardBook().set_board(device, rig, board); },
+      [self = QPointer<CaptureModel>(this), device](const Status& status) {
+        // Opened anew, it goes by its own sensors' calibrations.
+        if (self && status) {
+          self->reopen(device);
+        }
+      });
 }
 
 void CaptureModel::change(const CaptureSetup& next, Field field, const QString& text) {
@@ -222,6 +336,7 @@ bool CaptureModel::apply(const CaptureSetup& next) {
     return false;  // It belongs to what is being recorded.
   }
   const bool other_rig = next.rig != setup_.rig;
+  context_.set_takes_folder(next.folder);
   setup_ = next;
   check_name();
   context_.set_wearer(subject());
@@ -231,10 +346,8 @@ bool CaptureModel::apply(const CaptureSetup& next) {
   }
   Q_EMIT setup_changed();
   const QString id = live.device_id();
-  if (other_rig && live.state() != LiveState::kOff && !id.isEmpty()) {
-    // The decoder depends on the rig: listen anew.
-    context_.live().close();
-    open_device(id);
+  if (other_rig) {
+    reopen(id);  // The decoder depends on the rig: listen anew.
   }
   return true;
 }
@@ -263,6 +376,16 @@ void CaptureModel::set_take_name(const QString& name) {
   change(next, Field::kTakeName, tr("name of the take"));
 }
 
+void CaptureModel::set_takes_folder(const QString& folder) {
+  CaptureSetup next = setup_;
+  next.folder = folder;
+  if (!next.name_typed) {
+    const QDate day = today_.isValid() ? today_ : QDate::currentDate();
+    next.take_name = suggest_take_name(folder, next.subject, day.toString(QStringLiteral("yyyyMMdd")));
+  }
+  change(next, Field::kFolder, tr("folder for takes"));
+}
+
 void CaptureModel::start_recording() {
   if (can_record()) {
     context_.live().start_recording(take_folder().toStdString(), subject());
@@ -270,7 +393,9 @@ void CaptureModel::start_recording() {
 }
 
 void CaptureModel::stop_recording() {
-  context_.live().stop_recording();
+  if (!(context_.live().recording() && context_.live().aside())) {
+    context_.live().stop_recording();
+  }
 }
 
 void CaptureModel::toggle_recording() {

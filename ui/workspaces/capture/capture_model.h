@@ -11,6 +11,7 @@
 #include "acquire/live_source.h"
 #include "calibration/cue_sounds.h"
 #include "common/studio_context.h"
+#include "take/board_book.h"
 
 namespace limbwave::ui {
 
@@ -20,6 +21,7 @@ struct CaptureSetup {
   QString subject;
   QString take_name;        ///< Without ".take".
   bool name_typed = false;  ///< Else it is suggested.
+  QString folder;           ///< For takes.
   bool operator==(const CaptureSetup&) const = default;
 };
 
@@ -55,6 +57,11 @@ class CaptureModel : public QObject {
   [[nodiscard]] const acquire::DeviceInfo* device() const;
   /// How that device is opened; kept for each device.
   [[nodiscard]] DeviceSetup device_setup() const;
+  /// The board on the open device was read from the user's book, with the rig as its file has it: to be shown. In a
+  /// job; ends in `board_ready` unless it cannot be read.
+  void read_board();
+  /// Another name, serials or places. Can be undone; the capture then goes by it.
+  void set_board(const QString& device, const std::string& rig, const take::Board& before, const take::Board& after);
   /// Opens it anew in this way. Refused while recording.
   void set_device_setup(const DeviceSetup& setup);
   /// Empty: closes.
@@ -62,6 +69,8 @@ class CaptureModel : public QObject {
   void set_rig(const QString& rig);
   void set_subject(const QString& subject);
   void set_take_name(const QString& name);
+  /// Where takes go.
+  void set_takes_folder(const QString& folder);
   /// Another name for the next take, unless the user has typed one: another folder, or this one's name is taken.
   void suggest_name();
   void start_recording();
@@ -78,15 +87,22 @@ class CaptureModel : public QObject {
 
  Q_SIGNALS:
   void devices_changed();
-  void setup_changed();  ///< Rig, subject or take name.
+  void setup_changed();  ///< Rig, subject, take name or folder.
+  void board_ready(const limbwave::body::Rig& rig, const limbwave::take::Board& board);
   void countdown_changed();
 
  private:
   friend class SetupCommand;
-  enum class Field { kRig, kSubject, kTakeName };
+  friend class FormatCommand;
+  friend class BoardCommand;
+  enum class Field { kRig, kSubject, kTakeName, kFolder };
   void change(const CaptureSetup& next, Field field, const QString& text);
   bool apply(const CaptureSetup& next);
   [[nodiscard]] QString suggested_name(const QString& subject) const;
+  void put_format(const acquire::DeviceInfo& device, const DeviceSetup& setup);
+  void put_board(const QString& device, const std::string& rig, const take::Board& board);
+  /// Closes the device and opens it again, unless another one is open by now.
+  void reopen(const QString& device);
   void load_rig_names();
   void check_name();
   void set_countdown(int seconds);
@@ -101,6 +117,7 @@ class CaptureModel : public QObject {
   QString name_problem_;  ///< As it was when the name or what is in the folder changed: looking may wait for a network.
   QStringList sensor_names_;
   int slot_count_ = 16;
+  QString reopen_;  ///< As soon as nothing is recorded any more.
   QDate today_;
   CueSounds sounds_;
   QTimer countdown_timer_;

@@ -7,7 +7,9 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
+#include "common/core_services.h"
 #include "common/format.h"
 #include "common/theme.h"
 #include "common/widgets.h"
@@ -20,6 +22,13 @@
 #include "workspaces/capture/source_bar.h"
 
 namespace limbwave::ui {
+namespace {
+
+bool is_simulator(const acquire::DeviceInfo& device) {
+  return device.id.starts_with(kSimulatorPrefix);
+}
+
+}  // namespace
 
 CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
     : Workspace(parent),
@@ -44,11 +53,12 @@ CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
   empty_refresh_->setObjectName(QStringLiteral("empty_refresh"));
   empty_simulator_ = empty_->add_button(tr("Use the simulator"), true);
   empty_simulator_->setObjectName(QStringLiteral("use_simulator"));
+  connect(empty_->add_link(tr("Learn how the board is connected")), &QLabel::linkActivated, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("wiring")); });
   connect(empty_refresh_, &QPushButton::clicked, &model_, &CaptureModel::refresh_devices);
   connect(empty_simulator_, &QPushButton::clicked, this, [this] {
     const auto& devices = model_.devices();
-    const auto found = std::find_if(devices.begin(), devices.end(),
-                                    [](const acquire::DeviceInfo& d) { return d.id.starts_with("simulator"); });
+    const auto found = std::find_if(devices.begin(), devices.end(), is_simulator);
     if (found != devices.end()) {
       model_.open_device(QString::fromStdString(found->id));
     }
@@ -160,6 +170,11 @@ void CaptureWorkspace::activate() {
   }
 }
 
+void CaptureWorkspace::deactivate() {
+  // Elsewhere nobody needs to be told how to get there.
+  context_.notifications().dismiss(std::exchange(announced_, 0));
+}
+
 void CaptureWorkspace::follow_state() {
   const LiveModel& live = context_.live();
   if (scope_->property("names").toStringList() != model_.sensor_names()) {
@@ -172,9 +187,9 @@ void CaptureWorkspace::follow_state() {
     return;
   }
   center_->setCurrentWidget(empty_);
-  const bool simulator = std::any_of(model_.devices().begin(), model_.devices().end(),
-                                     [](const acquire::DeviceInfo& d) { return d.id.starts_with("simulator"); });
-  const bool others = model_.devices().size() > (simulator ? 1U : 0U);
+  const auto simulators = std::count_if(model_.devices().begin(), model_.devices().end(), is_simulator);
+  const bool simulator = simulators > 0;
+  const bool others = static_cast<std::ptrdiff_t>(model_.devices().size()) > simulators;
   if (live.state() == LiveState::kOpening || model_.searching()) {
     empty_->set_texts(model_.searching() ? tr("Looking for devices") : tr("Opening %1").arg(live.device_title()), {});
   } else if (!live.problem().isEmpty()) {
@@ -204,9 +219,12 @@ void CaptureWorkspace::follow_snapshot() {
 }
 
 void CaptureWorkspace::announce(const take::Take& take) {
+  if (!isVisible()) {
+    return;
+  }
   const double seconds =
       take.info.format.rate.hz > 0.0 ? static_cast<double>(take.info.frames) / take.info.format.rate.hz : 0.0;
-  context_.notifications().post(
+  announced_ = context_.notifications().post(
       Severity::kInfo,
       tr("%1 is recorded: %2.").arg(QString::fromStdString(take.folder.stem().string()), format_clock_tenths(seconds)),
       {}, tr("Solve it"), [this] { context_.reveal(QStringLiteral("solve")); });

@@ -24,6 +24,7 @@ class CaptureWorkspace : public Workspace {
  public:
   explicit CaptureWorkspace(StudioContext& context, QWidget* parent = nullptr);
   void activate() override;
+  void deactivate() override;
   void reveal(const QString& topic) override;
   [[nodiscard]] CaptureModel& model() { return model_; }
   /// Rows of the shortcut sheet.
@@ -54,6 +55,7 @@ class CaptureWorkspace : public Workspace {
   MarkerPanel* markers_ = nullptr;
   OverviewPanel* overview_ = nullptr;
   bool searched_ = false;
+  int announced_ = 0;  ///< The piece of news about the last recording.
 };
 
 }  // namespace limbwave::ui

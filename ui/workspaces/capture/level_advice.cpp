@@ -54,7 +54,8 @@ std::vector<Advice> level_advice(const solve::LiveSnapshot* snapshot) {
     return advice;
   }
   if (!snapshot->source_alive) {
-    advice.push_back({Tone::kDanger, LevelAdvice::tr("The device has stopped sending"),
+    advice.push_back({snapshot->recording ? Tone::kDanger : Tone::kWarning,
+                      LevelAdvice::tr("The device has stopped sending"),
                       LevelAdvice::tr("Plug it in again, look for devices again, and choose it once more.")});
     return advice;
   }
@@ -76,6 +77,12 @@ std::vector<Advice> level_advice(const solve::LiveSnapshot* snapshot) {
     advice.push_back(levels);
   }
   std::stable_sort(advice.begin(), advice.end(), [](const Advice& a, const Advice& b) { return a.tone > b.tone; });
+  if (!snapshot->recording) {
+    // Red is for losing data.
+    for (Advice& one : advice) {
+      one.tone = std::min(one.tone, Tone::kWarning);
+    }
+  }
   return advice;
 }
 

@@ -35,6 +35,11 @@ LevelPanel::LevelPanel(StudioContext& context, QWidget* parent)
     label->setWordWrap(true);
     body()->addWidget(label);
   }
+  learn_ = link_label(tr("Learn how to set the level"), this);
+  learn_->setObjectName(QStringLiteral("learn_levels"));
+  body()->addWidget(learn_);
+  connect(learn_, &QLabel::linkActivated, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("levels")); });
   connect(&context_.live(), &LiveModel::snapshot_changed, this, &LevelPanel::refresh);
   connect(&context_.live(), &LiveModel::state_changed, this, &LevelPanel::refresh);
   refresh();
@@ -64,6 +69,7 @@ void LevelPanel::refresh() {
     right_->set_level(-1.0, false);
   }
   const Advice& first = advice.front();
+  learn_->setVisible(snapshot && (first.tone == Tone::kWarning || first.tone == Tone::kDanger));
   if (!shown_any_ || shown_tone_ != first.tone) {
     icon_->setPixmap(icon_pixmap(tone_icon(first.tone), tone_color(palette(), first.tone), 18, devicePixelRatioF()));
     shown_tone_ = first.tone;

@@ -27,6 +27,7 @@ class LevelPanel : public Card {
   QLabel* remedy_;
   QLabel* others_;
   Tone shown_tone_ = Tone::kUnknown;
+  QLabel* learn_ = nullptr;
   bool shown_any_ = false;
 };
 

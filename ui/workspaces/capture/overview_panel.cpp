@@ -25,6 +25,7 @@ OverviewPanel::OverviewPanel(StudioContext& context, QWidget* parent)
   connect(&context_.live(), &LiveModel::snapshot_changed, this, &OverviewPanel::append_new_samples);
   connect(&context_.live(), &LiveModel::recording_failed, this, [this] { follow_take(true); });
   connect(&context_.document(), &TakeDocument::events_changed, this, &OverviewPanel::show_marks);
+  connect(&context_.document(), &TakeDocument::described, this, [this] { follow_take(false); });
   connect(&context_.markers(), &MarkerModel::changed, this, &OverviewPanel::show_marks);
   connect(&context_.selection(), &Selection::changed, this,
           [this] { view_->set_selected_mark(context_.selection().marker()); });
@@ -42,6 +43,10 @@ OverviewPanel::OverviewPanel(StudioContext& context, QWidget* parent)
 }
 
 void OverviewPanel::follow_recording() {
+  // The raw samples of a calibration are nobody's take.
+  if (context_.live().recording() && context_.live().aside()) {
+    return;
+  }
   if (context_.live().recording() && !growing_) {
     growing_ = std::make_shared<TakeOverview>();
     next_sample_ = -1.0;

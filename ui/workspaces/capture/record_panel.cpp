@@ -91,6 +91,7 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
   connect(&context_.live(), &LiveModel::recording_changed, this, &RecordPanel::refresh);
   connect(&context_.live(), &LiveModel::state_changed, this, &RecordPanel::refresh);
   connect(&context_.live(), &LiveModel::snapshot_changed, this, &RecordPanel::refresh_time);
+  connect(&context_, &StudioContext::disk_changed, this, &RecordPanel::refresh_time);
   refresh();
 }
 
@@ -101,15 +102,15 @@ void RecordPanel::focus_record() {
 void RecordPanel::choose_folder() {
   const QString folder = QFileDialog::getExistingDirectory(window(), tr("Folder for takes"), context_.takes_folder());
   if (!folder.isEmpty()) {
-    context_.set_takes_folder(folder);
-    model_.suggest_name();
+    model_.set_takes_folder(folder);
   }
 }
 
 void RecordPanel::refresh() {
   const LiveModel& live = context_.live();
-  const bool recording = live.recording();
-  const bool busy = live.starting() || live.finishing();
+  const bool aside = live.recording() && live.aside();
+  const bool recording = live.recording() && !aside;
+  const bool busy = live.starting() || live.finishing() || aside;
   const bool counting = model_.countdown() > 0;
   record_->setText(counting ? tr("Cancel") : recording ? tr("Stop") : tr("Record"));
   record_->setAccessibleName(counting ? tr("Cancel the countdown") : recording ? tr("Stop recording") : tr("Record"));
@@ -147,7 +148,8 @@ void RecordPanel::refresh() {
 void RecordPanel::refresh_time() {
   const LiveModel& live = context_.live();
   const auto& snapshot = live.snapshot();
-  const bool recording = live.recording();
+  const bool aside = live.aside() && (live.recording() || live.starting() || live.finishing());
+  const bool recording = live.recording() && !aside;
   const int countdown = model_.countdown();
   time_->setText(countdown > 0 ? QString::number(countdown)
                                : format_clock_tenths(recording && snapshot ? snapshot->recorded_s : 0.0));
@@ -155,7 +157,8 @@ void RecordPanel::refresh_time() {
   if (recording && snapshot && snapshot->counters.overflows > 0) {
     state_->setText(tr("Recording, but samples are being lost"));
   } else {
-    state_->setText(recording                             ? tr("Recording")
+    state_->setText(aside                                 ? tr("A calibration is under way")
+                    : recording                           ? tr("Recording")
                     : countdown > 0                       ? tr("Recording begins in %n second(s)", nullptr, countdown)
                     : live.finishing()                    ? tr("Closing the take")
                     : live.starting()                     ? tr("Making the take")

@@ -8,7 +8,6 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "body/rig.h"
 #include "common/core_services.h"
 #include "common/format.h"
 #include "common/icons.h"
@@ -28,7 +27,8 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
       refresh_(icon_button(QStringLiteral("refresh"), tr("Look for devices again"), this)),
       format_(new QToolButton(this)),
       format_menu_(new QMenu(format_)),
-      board_(icon_button(QStringLiteral("sensor"), tr("Name the sensor board on this device"), this)) {
+      board_(icon_button(QStringLiteral("sensor"), tr("Name the sensor board, and say which sensor is worn where"),
+                         this)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
@@ -63,7 +63,8 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   layout->addWidget(rigs_, 2);
   board_->setObjectName(QStringLiteral("edit_board"));
   layout->addWidget(board_);
-  connect(board_, &QToolButton::clicked, this, &SourceBar::edit_board);
+  connect(board_, &QToolButton::clicked, &model_, &CaptureModel::read_board);
+  connect(&model_, &CaptureModel::board_ready, this, &SourceBar::edit_board);
 
   connect(refresh_, &QToolButton::clicked, &model_, &CaptureModel::refresh_devices);
   connect(devices_, &QComboBox::activated, this,
@@ -81,52 +82,47 @@ void SourceBar::focus_devices() {
   devices_->setFocus();
 }
 
-void SourceBar::edit_board() {
-  const LiveModel& live = context_.live();
-  const QString device = live.device_id();
-  const Result<body::Rig> rig = body::load_rig(model_.rig().toStdString());
-  if (!rig) {
-    context_.notifications().post_error(tr("Rig %1").arg(model_.rig()), rig.error());
-    return;
-  }
-  const take::BoardBook book;
-  const Result<take::Board> board = book.board(device.toStdString(), rig->name);
-  if (!board) {
-    context_.notifications().post_error(tr("The list of boards cannot be read"), board.error());
-    return;
-  }
-  auto* dialog = new BoardDialog(live.device_title(), *rig, *board, window());
+void SourceBar::edit_board(const body::Rig& rig, const take::Board& board) {
+  auto* dialog = new BoardDialog(context_.live().device_title(), rig, board, window());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog, book, device, name = rig->name] {
-    if (const Status kept = book.set_board(device.toStdString(), name, dialog->board()); !kept) {
-      context_.notifications().post_error(tr("The board cannot be kept"), kept.error());
-      return;
-    }
-    // Opened anew, it goes by its own sensors' calibrations.
-    context_.live().close();
-    model_.open_device(device);
-  });
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog, board, device = context_.live().device_id(), name = rig.name] {
+            model_.set_board(device, name, board, dialog->board());
+          });
   dialog->open();
+}
+
+void SourceBar::fill() {
+  // Only when there are others: an open list would close under the mouse.
+  QStringList wanted{model_.searching() ? tr("Looking for devices…") : tr("Choose a device")};
+  for (const acquire::DeviceInfo& device : model_.devices()) {
+    wanted << QString::fromStdString(device.id) + QLatin1Char('\n') + QString::fromStdString(device.title);
+  }
+  if (wanted != listed_devices_) {
+    listed_devices_ = wanted;
+    devices_->clear();
+    devices_->addItem(wanted.first(), QString());
+    for (const acquire::DeviceInfo& device : model_.devices()) {
+      devices_->addItem(QString::fromStdString(device.title), QString::fromStdString(device.id));
+      devices_->setItemData(devices_->count() - 1, QString::fromStdString(device.id), Qt::ToolTipRole);
+    }
+  }
+  if (rigs_->count() == 0) {
+    for (const RigChoice& rig : model_.rigs()) {
+      rigs_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
+      rigs_->setItemData(rigs_->count() - 1,
+                         tr("%1 (file %2)").arg(QString::fromStdString(rig.title), QString::fromStdString(rig.name)),
+                         Qt::ToolTipRole);
+    }
+  }
 }
 
 void SourceBar::refresh() {
   const LiveModel& live = context_.live();
   const QSignalBlocker block_devices(devices_), block_rigs(rigs_);
-  devices_->clear();
-  devices_->addItem(model_.searching() ? tr("Looking for devices…") : tr("Choose a device"), QString());
-  for (const acquire::DeviceInfo& device : model_.devices()) {
-    devices_->addItem(QString::fromStdString(device.title), QString::fromStdString(device.id));
-    devices_->setItemData(devices_->count() - 1, QString::fromStdString(device.id), Qt::ToolTipRole);
-  }
+  fill();
   const int chosen = live.state() == LiveState::kOff ? 0 : devices_->findData(live.device_id());
   devices_->setCurrentIndex(std::max(0, chosen));
-  rigs_->clear();
-  for (const RigChoice& rig : model_.rigs()) {
-    rigs_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
-    rigs_->setItemData(rigs_->count() - 1,
-                       tr("%1 (file %2)").arg(QString::fromStdString(rig.title), QString::fromStdString(rig.name)),
-                       Qt::ToolTipRole);
-  }
   rigs_->setCurrentIndex(rigs_->findData(model_.rig()));
   const bool free = !live.recording() && !live.starting() && !live.finishing();
   devices_->setEnabled(free);

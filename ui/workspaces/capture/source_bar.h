@@ -22,7 +22,8 @@ class SourceBar : public QWidget {
   void refresh();
   void refresh_format();
   void fill_format_menu();
-  void edit_board();
+  void fill();
+  void edit_board(const body::Rig& rig, const take::Board& board);
   StudioContext& context_;
   CaptureModel& model_;
   QComboBox* devices_;
@@ -31,6 +32,7 @@ class SourceBar : public QWidget {
   QToolButton* format_;
   QMenu* format_menu_;
   QToolButton* board_;
+  QStringList listed_devices_;  ///< As the box has them.
 };
 
 }  // namespace limbwave::ui

@@ -12,6 +12,7 @@ namespace limbwave::ui {
 ExportSourceList::ExportSourceList(StudioContext& context, SolveModel& solves, QObject* parent)
     : QObject(parent), context_(context), solves_(solves) {
   connect(&context_.document(), &TakeDocument::changed, this, &ExportSourceList::follow_document);
+  connect(&context_.document(), &TakeDocument::described, this, &ExportSourceList::refresh);
   connect(&solves_, &SolveModel::state_changed, this, &ExportSourceList::refresh);
   connect(&solves_, &SolveModel::solve_changed, this, &ExportSourceList::refresh);
   for (const auto signal : {&SolveModel::pose_changed, &SolveModel::skeleton_changed, &SolveModel::solve_changed}) {
@@ -44,7 +45,7 @@ void ExportSourceList::refresh() {
     const QString name = context_.document().name();
     offered_.push_back(
         {ExportSource::Kind::kOpenSolve, tr("%1 (open, with your edits)").arg(name), current, take->folder, {}});
-    for (const std::string& solve : solves_.services().list(*take)) {
+    for (const std::string& solve : solves_.names()) {
       if (solve != current) {
         offered_.push_back({ExportSource::Kind::kSolve,
                             tr("%1, solve “%2”").arg(name, QString::fromStdString(solve)),

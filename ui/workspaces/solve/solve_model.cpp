@@ -42,6 +42,7 @@ SolveModel::SolveModel(StudioContext& context, SolveServices services)
     }
   });
   connect(&context_.document(), &TakeDocument::changed, this, &SolveModel::follow_document);
+  connect(&context_.document(), &TakeDocument::described, this, [this] { take_ = context_.document().take(); });
   connect(qApp, &QCoreApplication::aboutToQuit, this, [this] {
     if (unsaved_ && solve_ && take_) {
       (void)writer_->write(writer_->issue(), take_->folder.string(),
@@ -99,6 +100,7 @@ void SolveModel::follow_document(bool other) {
     saving_.clear();  // This was the last chance: do not wait for a save that is still running.
     save();
   }
+  names_.clear();
   take_ = context_.document().take();
   if (!other) {
     start();  // The same take with another calibration.

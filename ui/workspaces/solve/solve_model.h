@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/studio_context.h"
@@ -55,6 +56,8 @@ class SolveModel : public QObject {
   /// Where the clip's time 0 lies in the take, seconds.
   [[nodiscard]] double clip_start_s() const;
   [[nodiscard]] const SolveServices& services() const { return services_; }
+  /// The take's solves on disk, as they were when it was opened.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
   /// Poses with all edits; empty before there is a solve.
   void pose_at(double time_s, std::vector<body::SegmentPose>& poses) const;
@@ -124,6 +127,7 @@ class SolveModel : public QObject {
   QPointer<Job> evaluating_;
   std::shared_ptr<SolveWriter> writer_ = std::make_shared<SolveWriter>();
   int edits_ = 0;    ///< Counts edits of keys and lengths.
+  std::vector<std::string> names_;
   int attempt_ = 0;  ///< Counts runs, so that one that was overtaken is dropped.
   bool loading_keys_ = false, unsaved_ = false, shows_live_ = false;
   bool compare_again_ = false;  ///< Edited while it was being compared with the truth.

@@ -24,6 +24,7 @@ void SolveModel::open_or_solve() {
           fail(names.error());
           return;
         }
+        names_ = *names;
         if (names->empty()) {
           run(false);
           return;
