@@ -12,12 +12,14 @@ namespace limbwave::decode {
 
 /// A pulse as it arrived.
 struct Arrival {
-  double delay_s = 0.0;         ///< Since the slot's start, by the envelope.
-  double delay_variance = 0.0;  ///< s², Cramér–Rao bound at the arrival's strength.
-  double phase = 0.0;           ///< Of the carrier: -2 pi f delay + the source's own, radians, -pi..pi.
-  double phase_variance = 0.0;  ///< Radians².
-  double amplitude = 0.0;       ///< Fraction of full scale.
-  double energy_ratio = 0.0;    ///< After the matched filter, over the noise.
+  double delay_s = 0.0;           ///< Since the slot's start, by the envelope.
+  double delay_variance = 0.0;    ///< s², Cramér–Rao bound at the arrival's strength.
+  double phase = 0.0;             ///< Of the carrier: -2 pi f delay + the source's own, radians, -pi..pi.
+  double phase_variance = 0.0;    ///< Radians².
+  double amplitude = 0.0;         ///< Fraction of full scale.
+  double energy_ratio = 0.0;      ///< After the matched filter, over the noise.
+  double doppler = 0.0;           ///< Turn of the carrier, radians a second; below 0: away from each other.
+  double doppler_variance = 0.0;  ///< As measured, without the prior that shrinks `doppler`.
 };
 
 struct FoundPulse {
@@ -39,9 +41,11 @@ class PulseFinder {
   struct Fit {
     double place = 0.0;  // of the pulse's beginning, in values
     std::complex<double> a;
+    double turn = 0.0;           // of the carrier, radians per value
+    double turn_variance = 0.0;  // of what was measured
   };
   void correlate(std::size_t first, std::size_t last);
-  [[nodiscard]] Fit fit(std::size_t lag) const;
+  [[nodiscard]] Fit fit(std::size_t lag, double noise) const;
   void subtract(const Fit& fit, double sign);
   [[nodiscard]] std::pair<int, std::size_t> phase_of(double place) const;
 

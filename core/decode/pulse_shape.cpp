@@ -124,6 +124,13 @@ PulseShape::PulseShape(const RangingFormat& format, const BasebandPlan& plan, Sa
     slope_energy_ += static_cast<double>(slope_[i]) * slope_[i];
     cross += static_cast<double>(shape_[i]) * slope_[i];
   }
+  for (std::size_t i = 0; i < length_; ++i) {
+    middle_ += static_cast<double>(shape_[i]) * shape_[i] * static_cast<double>(i) / energy_;
+  }
+  for (std::size_t i = 0; i < length_; ++i) {
+    const double off = static_cast<double>(i) - middle_;
+    spread_ += static_cast<double>(shape_[i]) * shape_[i] * off * off;
+  }
   slope_energy_ -= cross * cross / energy_;
   centroid_s_ = envelope.centroid();
 }

@@ -51,6 +51,10 @@ class PulseShape {
   [[nodiscard]] const float* slope(int phase) const {
     return slope_.data() + static_cast<std::size_t>(phase) * length_;
   }
+  /// Middle of the shape's energy since its first value, of phase 0, values.
+  [[nodiscard]] double middle() const { return middle_; }
+  /// Sum of shape² (place − middle)².
+  [[nodiscard]] double spread() const { return spread_; }
   [[nodiscard]] double energy() const { return energy_; }              ///< Sum of shape².
   [[nodiscard]] double slope_energy() const { return slope_energy_; }  ///< Of what is orthogonal to the shape.
   [[nodiscard]] double centroid_s() const { return centroid_s_; }      ///< Mean instant of the energy since the start.
@@ -59,6 +63,7 @@ class PulseShape {
   std::size_t length_ = 0, lead_ = 0;
   std::vector<float> shape_, slope_;
   double energy_ = 0.0, slope_energy_ = 0.0, centroid_s_ = 0.0;
+  double middle_ = 0.0, spread_ = 0.0;
 };
 
 }  // namespace limbwave::decode

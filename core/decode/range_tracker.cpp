@@ -22,6 +22,13 @@ constexpr double kStartAcceleration = 12.0;  // m/s²
 constexpr double kForget = 0.4;              // seconds without a range, then the state is found anew
 constexpr double kCollect = 0.075;           // seconds of ranges that make a first state
 constexpr int kContradictions = 10;
+constexpr double kMostBend = 0.3e-3;  // metres
+// What bounds a state that few sources see: limbs come back to rest, slow down, and do not push for long.
+constexpr double kTether = 0.060;             // seconds from one reminder to the next
+constexpr double kTetherPlace = 1.2;          // metres, standard deviation of a reminder
+constexpr double kTetherSpeed = 2.2;          // m/s
+constexpr double kTetherAcceleration = 25.0;  // m/s²
+constexpr double kTetherRate = 0.5;           // m/s, of sources on other segments
 
 }  // namespace
 
@@ -90,6 +97,28 @@ void RangeTracker::advance(double time_s) {
       }
     }
   }
+  if (time_s_ < next_reminder_s_) {
+    return;
+  }
+  next_reminder_s_ = time_s_ + kTether;
+  for (int i = 0; i < 3; ++i) {
+    remind(i, format_.receiver[i], kTetherPlace);
+    remind(3 + i, 0.0, kTetherSpeed);
+    remind(6 + i, 0.0, kTetherAcceleration);
+  }
+  for (int j = 0; j < sources_; ++j) {
+    if (!format_.sources[static_cast<std::size_t>(j)].fixed) {
+      remind(9 + kSources + j, 0.0, kTetherRate);
+      remind(9 + j, 0.0, kTetherPlace);
+    }
+  }
+}
+
+void RangeTracker::remind(int state, double value, double sd) {
+  const State PH = P_.col(state);
+  const State K = PH / (PH[state] + sd * sd);
+  x_ += K * (value - x_[state]);
+  P_.noalias() -= K * PH.transpose();
 }
 
 std::optional<RangeTracker::Expectation> RangeTracker::expect(int source) const {
@@ -124,7 +153,7 @@ void RangeTracker::update(int source, double range, double variance) {
   const int b = 9 + source;
   const State PH = P_.leftCols<3>() * u + P_.col(b);
   const double across = std::max(0.0, P_.topLeftCorner<3, 3>().trace() - u.dot(P_.topLeftCorner<3, 3>() * u));
-  const double bend = 0.5 * across / distance;
+  const double bend = std::min(kMostBend, 0.5 * across / distance);
   const double S = u.dot(PH.head<3>()) + PH[b] + variance + bend * bend;
   const State K = PH / S;
   x_ += K * (range - distance - x_[b]);

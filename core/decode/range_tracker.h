@@ -48,6 +48,8 @@ class RangeTracker {
     int source;
     double time_s, range, variance;
   };
+  /// Takes one state for about a value, weakly.
+  void remind(int state, double value, double sd);
   void start(double time_s);
   [[nodiscard]] bool solve(const Eigen::Vector3d& guess, Eigen::Vector3d& p, Eigen::Matrix3d& P, double& cost) const;
 
@@ -56,7 +58,7 @@ class RangeTracker {
   int sources_;
   bool running_ = false;
   double time_s_ = 0.0;
-  double last_update_s_ = 0.0;
+  double last_update_s_ = 0.0, next_reminder_s_ = 0.0;
   int contradictions_ = 0;
   State x_;
   Covariance P_;

@@ -22,7 +22,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kNoiseMemory = 1.0 / 24.0;  // of a slot
 constexpr double kStrong = 0.45;             // of the amplitude expected: fully believed from here
 constexpr double kSystematic = 0.4e-3;       // metres, of the envelope beside its noise
-constexpr double kSurprise = 4.0;            // standard deviations
+constexpr double kCaution = 1.8;             // of variances, before whole cycles are counted
+constexpr double kSurprise = 5.0;            // standard deviations
 constexpr double kDoubt = 3.2;               // standard deviations of the mean of envelope minus carrier
 
 double wrapped(double value, double period) {
@@ -183,13 +184,17 @@ struct RangingDecoder::Impl {
     reading.emission = SampleIndex{first};
     // A pulse is heard as a whole: its range is that of the middle of its energy.
     reading.emission_time = Seconds{rate.seconds(SampleIndex{first}).value + source.delay_s + shape->centroid_s()};
-    reading.range = reading.envelope_range = reading.phase_range = kNone;
-    reading.variance = reading.envelope_variance = kNever;
+    reading.range = reading.envelope_range = reading.phase_range = reading.expected = kNone;
+    reading.variance = reading.envelope_variance = reading.expected_variance = kNever;
     const std::int64_t reach = format.slot_samples + static_cast<std::int64_t>(plan.taps_re.size());
     const bool cut = std::any_of(missing.begin(), missing.end(), [&](const auto& gap) {
       return gap.first < first + reach && gap.second > first - static_cast<std::int64_t>(plan.taps_re.size());
     });
     tracker.advance(reading.emission_time.value);
+    if (const auto expected = tracker.expect(number)) {
+      reading.expected = expected->range;
+      reading.expected_variance = expected->variance;
+    }
     if (cut) {
       reading.verdict = RangeVerdict::kInterrupted;
       readings.push_back(reading);
@@ -210,7 +215,7 @@ struct RangingDecoder::Impl {
              const std::optional<RangeTracker::Expectation>& expected) const {
     double pattern = 0.25;  // where no direction is known: far off the axis, but in sight
     reading.factors.angle = 1.0;
-    if (expected && expected->angle_sd < radians(15.0)) {
+    if (expected && expected->angle_sd < radians(6.0)) {
       // Of the angles that are possible the one that explains the least strength.
       pattern = radiated(std::min(kPi, expected->angle + expected->angle_sd));
       reading.factors.angle = std::clamp((radians(95.0) - expected->angle) / radians(10.0), 0.0, 1.0);
@@ -280,7 +285,7 @@ struct RangingDecoder::Impl {
       return;
     }
     double mean = expected->range;
-    double variance = expected->variance + 0.04e-6;
+    double variance = kCaution * expected->variance + 0.04e-6;
     if (predict) {
       if (const auto told = predict(reading.source, reading.emission_time); told && told->variance < 1e3) {
         const double weight = variance / (variance + told->variance);
@@ -303,7 +308,9 @@ struct RangingDecoder::Impl {
 
   // The whole number of cycles that the envelope and what is expected agree on, if there is only one.
   bool resolve(double mean, double variance, double phase_variance, double wavelength, RangeReading& reading) {
-    const double weight = variance / (variance + reading.envelope_variance);
+    // Echoes that overlap, and a shape that is not quite the template's, disturb envelopes beyond their noise.
+    const double envelope_variance = kCaution * reading.envelope_variance;
+    const double weight = variance / (variance + envelope_variance);
     const double both = mean + weight * (reading.envelope_range - mean);
     const double both_variance = std::max(variance * (1.0 - weight), 1e-9);
     const double nearest = std::round((both - reading.phase_range) / wavelength);

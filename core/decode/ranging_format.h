@@ -45,9 +45,9 @@ struct RangingParameters {
   double detection = 16.0;           ///< Energy of an arrival over the noise's after the matched filter.
   double phase_sd = 0.15e-3;         ///< What calibration leaves of the sources' phases, metres.
   double placement_sd = 6e-3;        ///< How far sources sit from where the rig says, metres.
-  double jerk = 80.0;                ///< White jerk of a limb, m/s³ √s.
-  double source_acceleration = 1.5;  ///< White acceleration of sources on other segments, m/s² √s.
-  double certainty = 0.9995;         ///< Of a whole number of cycles.
+  double jerk = 40.0;                ///< White jerk of a limb, m/s³ √s.
+  double source_acceleration = 0.6;  ///< White acceleration of sources on other segments, m/s² √s.
+  double certainty = 0.99995;        ///< Of a whole number of cycles.
   double least_confidence = 0.1;     ///< Of an accepted range.
 };
 

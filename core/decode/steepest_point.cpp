@@ -17,19 +17,17 @@ constexpr std::size_t kLowTaps = 17;
 constexpr double kFirst = 0.2;  // of the largest power: what counts as the first rise
 constexpr double kOverNoise = 12.0;
 
-std::vector<float> padded(const std::vector<double>& h) {
-  std::vector<float> taps((h.size() + signal::kDotMultiple - 1) / signal::kDotMultiple * signal::kDotMultiple, 0.0F);
-  std::copy(h.begin(), h.end(), taps.begin());
-  return taps;
+signal::SymmetricFir filter(const std::vector<double>& h) {
+  return signal::SymmetricFir({h.begin(), h.end()});
 }
 
 }  // namespace
 
 SteepestPoint::SteepestPoint(const RangingFormat& format, SampleRate rate)
     : rate_hz_(rate.hz),
-      band_(padded(signal::band_pass(kBandTaps, format.pulse_hz / rate.hz, kHalfBandHz / rate.hz, 40.0))),
-      low_(padded(signal::low_pass(kLowTaps, std::min(0.45, kLowPassHz / rate.hz), 40.0))),
-      margin_(band_.size() + low_.size()) {
+      band_(filter(signal::band_pass(kBandTaps, format.pulse_hz / rate.hz, kHalfBandHz / rate.hz, 40.0))),
+      low_(filter(signal::low_pass(kLowTaps, std::min(0.45, kLowPassHz / rate.hz), 40.0))),
+      margin_(band_.taps() / 2 + low_.taps() / 2) {
   // The offset between a pulse's beginning and its steepest point, from a perfect pulse.
   const std::size_t slot = static_cast<std::size_t>(format.slot_samples);
   const double start_s = 0.3 * static_cast<double>(slot) / rate.hz;
@@ -55,20 +53,16 @@ std::optional<SteepestPoint::Found> SteepestPoint::find(std::span<const float> s
 std::optional<SteepestPoint::Found> SteepestPoint::steepest(std::span<const float> samples) {
   const std::size_t slot = samples.size() - 2 * margin_;
   // Both filters are centred: the results belong to the samples in their middle.
-  const std::size_t first = margin_ - low_.size();
-  const std::size_t count = slot + 2 * low_.size();
-  power_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const float y = signal::dot(samples.data() + first + i - kBandTaps / 2, band_.data(), band_.size());
-    power_[i] = y * y;
+  power_.resize(slot + low_.taps() - 1);
+  band_.run(samples.data(), power_.size(), power_.data());
+  for (float& power : power_) {
+    power *= power;
   }
   envelope_.resize(slot);
-  for (std::size_t i = 0; i < slot; ++i) {
-    envelope_[i] = signal::dot(power_.data() + low_.size() + i - kLowTaps / 2, low_.data(), low_.size());
-  }
-  std::vector<float> sorted(envelope_);
-  const auto quarter = sorted.begin() + static_cast<std::ptrdiff_t>(slot / 4);
-  std::nth_element(sorted.begin(), quarter, sorted.end());
+  low_.run(power_.data(), slot, envelope_.data());
+  sorted_.assign(envelope_.begin(), envelope_.end());
+  const auto quarter = sorted_.begin() + static_cast<std::ptrdiff_t>(slot / 4);
+  std::nth_element(sorted_.begin(), quarter, sorted_.end());
   Found found;
   found.noise = std::max(0.0, static_cast<double>(*quarter)) / 0.2877;  // the quantile of an exponential distribution
   const float largest = *std::max_element(envelope_.begin(), envelope_.end());

@@ -8,6 +8,7 @@
 
 #include "base/time.h"
 #include "decode/ranging_format.h"
+#include "signal/fir_design.h"
 
 namespace limbwave::decode {
 
@@ -30,10 +31,10 @@ class SteepestPoint {
   [[nodiscard]] std::optional<Found> steepest(std::span<const float> samples);
 
   double rate_hz_;
-  std::vector<float> band_, low_;
+  signal::SymmetricFir band_, low_;
   std::size_t margin_ = 0;
   double offset_s_ = 0.0;
-  std::vector<float> power_, envelope_;
+  std::vector<float> power_, envelope_, sorted_;
 };
 
 }  // namespace limbwave::decode

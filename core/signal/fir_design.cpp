@@ -103,4 +103,46 @@ DotPair dot_pair(const float* x, const float* taps_first, const float* taps_seco
   return {sum(a0, a1), sum(b0, b1)};
 }
 
+SymmetricFir::SymmetricFir(const std::vector<float>& taps) {
+  assert(taps.size() % 2 == 1);
+  const std::size_t middle = taps.size() / 2;
+  for (std::size_t k = 0; k <= middle; ++k) {
+    assert(std::abs(taps[middle + k] - taps[middle - k]) <= 1e-6F);
+    half_.push_back(taps[middle + k]);
+  }
+}
+
+void SymmetricFir::run(const float* x, std::size_t count, float* out) const {
+  const std::size_t middle = half_.size() - 1;
+  const float* half = half_.data();
+  std::size_t i = 0;
+  for (; i + 16 <= count; i += 16) {
+    const float* center = x + i + middle;
+    Vector4 s0 = load(center) * half[0];
+    Vector4 s1 = load(center + 4) * half[0];
+    Vector4 s2 = load(center + 8) * half[0];
+    Vector4 s3 = load(center + 12) * half[0];
+    for (std::size_t k = 1; k <= middle; ++k) {
+      const float* before = center - k;
+      const float* after = center + k;
+      s0 += (load(before) + load(after)) * half[k];
+      s1 += (load(before + 4) + load(after + 4)) * half[k];
+      s2 += (load(before + 8) + load(after + 8)) * half[k];
+      s3 += (load(before + 12) + load(after + 12)) * half[k];
+    }
+    std::memcpy(out + i, &s0, sizeof s0);
+    std::memcpy(out + i + 4, &s1, sizeof s1);
+    std::memcpy(out + i + 8, &s2, sizeof s2);
+    std::memcpy(out + i + 12, &s3, sizeof s3);
+  }
+  for (; i < count; ++i) {
+    const float* center = x + i + middle;
+    float s = *center * half[0];
+    for (std::size_t k = 1; k <= middle; ++k) {
+      s += (*(center - k) + *(center + k)) * half[k];
+    }
+    out[i] = s;
+  }
+}
+
 }  // namespace limbwave::signal

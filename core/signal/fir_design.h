@@ -29,4 +29,18 @@ struct DotPair {
 };
 DotPair dot_pair(const float* x, const float* taps_first, const float* taps_second, std::size_t count);
 
+/// A linear-phase filter over a long signal: taps that are equal are added before they are multiplied, and several
+/// outputs are made at once, each on a lane of its own.
+class SymmetricFir {
+ public:
+  /// An odd number of taps, symmetric to rounding; asserts both.
+  explicit SymmetricFir(const std::vector<float>& taps);
+  [[nodiscard]] std::size_t taps() const { return 2 * half_.size() - 1; }
+  /// out[i] = sum of taps[k] · x[i + k]; x has count + taps() − 1 samples.
+  void run(const float* x, std::size_t count, float* out) const;
+
+ private:
+  std::vector<float> half_;  // half_[0] is the middle one
+};
+
 }  // namespace limbwave::signal

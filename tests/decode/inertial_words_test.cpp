@@ -37,7 +37,7 @@ Line make_line(double seconds, const simulate::WordLineErrors& errors, std::uint
   words.add(line.samples.data(), static_cast<int>(line.samples.size()), kRate, kAmplitude);
   line.sent = words.take_sent();
   std::mt19937_64 random(seed);
-  std::normal_distribution<float> normal(0.0F, static_cast<float>(noise));
+  std::normal_distribution<float> normal(0.0F, static_cast<float>(std::max(noise, 1e-9)));
   for (float& sample : line.samples) {
     sample += noise > 0.0 ? normal(random) : 0.0F;
   }
