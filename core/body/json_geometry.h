@@ -21,7 +21,7 @@ inline Eigen::Vector3d read_direction(const JsonReader& reader) {
     reader.fail("is not a direction: its length is zero");
     return Eigen::Vector3d::UnitX();
   }
-  return v.normalized();
+  return std::abs(v.squaredNorm() - 1.0) > 1e-15 ? Eigen::Vector3d(v.normalized()) : v;
 }
 
 /// [w, x, y, z]; refused when not of unit length within 1 %, normalised otherwise.

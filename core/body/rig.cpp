@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/json_reader.h"
 #include "body/json_geometry.h"
+#include "body/rig_sensors.h"
 
 namespace limbwave::body {
 namespace {
@@ -28,21 +29,6 @@ LineInSignal read_line_in(const JsonReader& reader) {
                             "it is even and one more than three times the number of sensors: 4, 10, 16, 22 or 28");
   }
   return signal;
-}
-
-Accelerometer read_accelerometer(const JsonReader& reader) {
-  reader.allow({"name", "serial", "segment", "mount", "position_m"});
-  Accelerometer sensor;
-  sensor.name = reader.at("name").string();
-  sensor.serial = reader.string_or("serial", "");
-  sensor.segment = reader.at("segment").string();
-  if (reader.has("mount")) {
-    sensor.R_LS = read_quaternion(reader.at("mount"));
-  }
-  if (reader.has("position_m")) {
-    sensor.p_LS = read_vector(reader.at("position_m"));
-  }
-  return sensor;
 }
 
 LimbPose read_pose(const JsonReader& reader) {
@@ -84,22 +70,20 @@ CalibrationGroup read_group(const JsonReader& reader, const Rig& rig) {
 Result<Rig> rig_from_json(const nlohmann::json& json, const std::string& place) {
   JsonReader::State state{place, {}};
   const JsonReader reader(json, "", state);
-  reader.allow({"schema", "name", "title", "skeleton", "line_in", "accelerometers", "calibration_groups"});
+  reader.allow({"schema", "name", "title", "skeleton", "line_in", "driver_box", "accelerometers", "gyroscopes",
+                "microphones", "sources", "calibration_groups"});
   reader.at("schema").integer(1, 1);
   Rig rig;
   rig.name = reader.at("name").string();
   rig.title = reader.string_or("title", rig.name);
   rig.skeleton = reader.at("skeleton").string();
-  rig.line_in = read_line_in(reader.at("line_in"));
-  for (const JsonReader& entry : reader.at("accelerometers").items()) {
-    Accelerometer sensor = read_accelerometer(entry);
-    if (find_sensor(rig, sensor.name) >= 0) {
-      entry.at("name").fail("is \"" + sensor.name + "\", which another accelerometer has already");
-    }
-    rig.accelerometers.push_back(std::move(sensor));
+  rig.has_line_in = reader.has("line_in");
+  if (rig.has_line_in) {
+    rig.line_in = read_line_in(reader.at("line_in"));
   }
+  read_sensors(reader, rig);
   const int expected = (rig.line_in.slots - 1) / 3;
-  if (static_cast<int>(rig.accelerometers.size()) != expected) {
+  if (rig.has_line_in && static_cast<int>(rig.accelerometers.size()) != expected) {
     reader.at("accelerometers")
         .fail(fmt::format("has {} entries, but {} slots carry {} sensors", rig.accelerometers.size(), rig.line_in.slots,
                           expected));
@@ -117,14 +101,6 @@ Result<Rig> rig_from_json(const nlohmann::json& json, const std::string& place) 
 
 nlohmann::json rig_to_json(const Rig& rig) {
   const LineInSignal& s = rig.line_in;
-  nlohmann::json sensors = nlohmann::json::array();
-  for (const Accelerometer& sensor : rig.accelerometers) {
-    sensors.push_back({{"name", sensor.name},
-                       {"serial", sensor.serial},
-                       {"segment", sensor.segment},
-                       {"mount", to_json(sensor.R_LS)},
-                       {"position_m", to_json(sensor.p_LS)}});
-  }
   nlohmann::json groups = nlohmann::json::array();
   const auto pose = [](const LimbPose& p) {
     return nlohmann::json{{"name", p.name}, {"instruction", p.instruction}, {"gravity", to_json(p.gravity_L)}};
@@ -137,21 +113,23 @@ nlohmann::json rig_to_json(const Rig& rig) {
     groups.push_back(
         {{"name", group.name}, {"sensors", names}, {"first", pose(group.first)}, {"second", pose(group.second)}});
   }
-  return {{"schema", 1},
-          {"name", rig.name},
-          {"title", rig.title},
-          {"skeleton", rig.skeleton},
-          {"line_in",
-           {{"cycle_rate_hz", s.cycle_rate_hz},
-            {"cycle_rate_tolerance", s.cycle_rate_tolerance},
-            {"slots", s.slots},
-            {"supply_volts", s.supply_volts},
-            {"reference_volts", s.reference_volts},
-            {"zero_g_volts", s.zero_g_volts},
-            {"volts_per_g", s.volts_per_g},
-            {"range_g", s.range_g}}},
-          {"accelerometers", sensors},
-          {"calibration_groups", groups}};
+  nlohmann::json json = {{"schema", 1},
+                         {"name", rig.name},
+                         {"title", rig.title},
+                         {"skeleton", rig.skeleton},
+                         {"calibration_groups", groups}};
+  if (rig.has_line_in) {
+    json["line_in"] = {{"cycle_rate_hz", s.cycle_rate_hz},
+                       {"cycle_rate_tolerance", s.cycle_rate_tolerance},
+                       {"slots", s.slots},
+                       {"supply_volts", s.supply_volts},
+                       {"reference_volts", s.reference_volts},
+                       {"zero_g_volts", s.zero_g_volts},
+                       {"volts_per_g", s.volts_per_g},
+                       {"range_g", s.range_g}};
+  }
+  write_sensors(rig, json);
+  return json;
 }
 
 Result<Rig> load_rig(const std::string& name_or_path) {
@@ -172,12 +150,8 @@ Result<Rig> load_rig(const std::string& name_or_path) {
   if (!skeleton) {
     return skeleton.error();
   }
-  for (std::size_t i = 0; i < rig->accelerometers.size(); ++i) {
-    if (skeleton->find(rig->accelerometers[i].segment) < 0) {
-      return Error{fmt::format("is \"{}\", which is no segment of skeleton \"{}\"", rig->accelerometers[i].segment,
-                               rig->skeleton),
-                   fmt::format("{}: /accelerometers/{}/segment", path, i), "name one of its segments"};
-    }
+  if (const Status fits = check_segments(*rig, *skeleton, path); !fits) {
+    return fits.error();
   }
   return rig;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,47 @@ struct Accelerometer {
   std::string segment;                         ///< Name of the segment it is worn on.
   Quaterniond R_LS = Quaterniond::Identity();  ///< Nominal mounting: v_L = R_LS * v_S.
   Vector3d p_LS = Vector3d::Zero();            ///< Nominal position on the segment, metres.
+};
+
+/// A tri-axial gyroscope on a segment.
+struct Gyroscope {
+  std::string name;
+  std::string serial;
+  std::string segment;
+  Quaterniond R_LS = Quaterniond::Identity();
+  Vector3d p_LS = Vector3d::Zero();
+};
+
+/// A microphone for ultrasound; it hears in every direction.
+struct Microphone {
+  std::string name;
+  std::string serial;
+  std::string segment;
+  Vector3d p_LS = Vector3d::Zero();
+};
+
+/// An ultrasonic source.
+struct Source {
+  std::string name;
+  std::string serial;
+  std::string segment;
+  Vector3d p_LS = Vector3d::Zero();
+  Vector3d normal_L = Vector3d::UnitZ();  ///< Where it radiates to, unit length.
+};
+
+/// The driver box and its boards (signals.md §2). Wire w carries microphone w and, as words, gyroscope w and
+/// accelerometer w; the sources fire in their order, one a slot.
+struct DriverBoxSignal {
+  double rate_hz = 140000.0;                   ///< Samples a second of every wire.
+  int bits = 16;                               ///< Of a sample, 12 to 16; stored in the upper ones of an int16.
+  int slot_samples = 1120;                     ///< From one pulse to the next.
+  double pulse_hz = 40000.0;                   ///< Carrier.
+  int pulse_cycles = 10;                       ///< Length of the burst that drives a source.
+  double transducer_q = 20.0;                  ///< Quality of a source's resonance at the carrier.
+  double word_rate_hz = 140.0;                 ///< Inertial readings a second.
+  double word_clock_tolerance = 200e-6;        ///< How far a board's clock may be off.
+  double gyroscope_range_rad_s = 5.235987756;  ///< Of a word's full scale (300 deg/s).
+  double accelerometer_range_g = 3.0;          ///< Of a word's full scale.
 };
 
 /// The line-in multiplexer board (signals.md §1). Slot 3s+a carries axis a of accelerometer s, the last slot the
@@ -49,11 +91,16 @@ struct CalibrationGroup {
 };
 
 struct Rig {
-  std::string name;      ///< "line-in-arm"
-  std::string title;     ///< "Arm with five accelerometers on a sound card"
-  std::string skeleton;  ///< Name of the skeleton it is worn by.
+  std::string name;         ///< "line-in-arm"
+  std::string title;        ///< "Arm with five accelerometers on a sound card"
+  std::string skeleton;     ///< Name of the skeleton it is worn by.
+  bool has_line_in = true;  ///< False: nothing of it comes through a sound card, and `line_in` has no meaning.
   LineInSignal line_in;
+  std::optional<DriverBoxSignal> driver_box;
   std::vector<Accelerometer> accelerometers;
+  std::vector<Gyroscope> gyroscopes;
+  std::vector<Microphone> microphones;
+  std::vector<Source> sources;
   std::vector<CalibrationGroup> groups;
 };
 

@@ -11,19 +11,6 @@
 #include "body/json_geometry.h"
 
 namespace limbwave::body {
-namespace {
-
-constexpr std::size_t kSegmentLimit = 512;
-constexpr double kLengthLimit = 10.0;  // metres
-
-struct KindName {
-  JointKind kind;
-  const char* name;
-};
-constexpr KindName kKindNames[] = {{JointKind::kFixed, "fixed"},
-                                   {JointKind::kHinge, "hinge"},
-                                   {JointKind::kUniversal, "universal"},
-                                   {JointKind::kSpherical, "spherical"}};
 
 std::size_t degrees_of_freedom(JointKind kind) {
   switch (kind) {
@@ -38,6 +25,20 @@ std::size_t degrees_of_freedom(JointKind kind) {
   }
   return 0;
 }
+
+namespace {
+
+constexpr std::size_t kSegmentLimit = 512;
+constexpr double kLengthLimit = 10.0;  // metres
+
+struct KindName {
+  JointKind kind;
+  const char* name;
+};
+constexpr KindName kKindNames[] = {{JointKind::kFixed, "fixed"},
+                                   {JointKind::kHinge, "hinge"},
+                                   {JointKind::kUniversal, "universal"},
+                                   {JointKind::kSpherical, "spherical"}};
 
 Joint read_joint(const JsonReader& reader) {
   reader.allow({"kind", "axis", "axis2", "minimum_deg", "maximum_deg"});
@@ -79,8 +80,18 @@ Joint read_joint(const JsonReader& reader) {
   return joint;
 }
 
+Capsule read_capsule(const JsonReader& reader) {
+  reader.allow({"from_m", "to_m", "radius_m"});
+  Capsule capsule{read_vector(reader.at("from_m")), read_vector(reader.at("to_m")),
+                  reader.at("radius_m").number(1e-4, 1.0)};
+  if (std::max(capsule.from_L.norm(), capsule.to_L.norm()) > kLengthLimit) {
+    reader.fail("lies more than 10 m off", "lengths are in metres");
+  }
+  return capsule;
+}
+
 Segment read_segment(const JsonReader& reader, const Skeleton& skeleton) {
-  reader.allow({"name", "parent", "joint", "offset_m", "rest", "length_m"});
+  reader.allow({"name", "parent", "joint", "offset_m", "rest", "length_m", "capsules"});
   Segment segment;
   segment.name = reader.at("name").string();
   if (segment.name.empty()) {
@@ -113,6 +124,11 @@ Segment read_segment(const JsonReader& reader, const Skeleton& skeleton) {
     segment.R_PL_rest = read_quaternion(reader.at("rest"));
   }
   segment.length = reader.at("length_m").number(0.0, kLengthLimit);
+  if (reader.has("capsules")) {
+    for (const JsonReader& capsule : reader.at("capsules").items()) {
+      segment.capsules.push_back(read_capsule(capsule));
+    }
+  }
   return segment;
 }
 
@@ -186,6 +202,10 @@ nlohmann::json skeleton_to_json(const Skeleton& skeleton) {
     if (segment.parent >= 0) {
       entry["parent"] = skeleton.segments[static_cast<std::size_t>(segment.parent)].name;
     }
+    for (const Capsule& capsule : segment.capsules) {
+      entry["capsules"].push_back(
+          {{"from_m", to_json(capsule.from_L)}, {"to_m", to_json(capsule.to_L)}, {"radius_m", capsule.radius}});
+    }
     segments.push_back(std::move(entry));
   }
   return {{"schema", 1}, {"name", skeleton.name}, {"height_m", skeleton.height}, {"segments", std::move(segments)}};
@@ -233,6 +253,11 @@ Skeleton scaled_to_height(const Skeleton& skeleton, double height) {
   for (Segment& segment : scaled.segments) {
     segment.length *= factor;
     segment.p_PL *= factor;
+    for (Capsule& capsule : segment.capsules) {
+      capsule.from_L *= factor;
+      capsule.to_L *= factor;
+      capsule.radius *= factor;
+    }
   }
   return scaled;
 }

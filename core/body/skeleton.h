@@ -28,6 +28,12 @@ struct Joint {
   Vector3d maximum = Vector3d::Constant(3.1416);
 };
 
+/// Flesh that sound does not pass: all points within `radius` of the line from one point to the other.
+struct Capsule {
+  Vector3d from_L = Vector3d::Zero(), to_L = Vector3d::Zero();  ///< In the segment's frame, metres.
+  double radius = 0.0;                                          ///< Metres, > 0.
+};
+
 /// One rigid segment (bone). Frame L: origin at its joint, x along the bone.
 struct Segment {
   std::string name;  ///< Unique within the skeleton.
@@ -36,6 +42,7 @@ struct Segment {
   Vector3d p_PL = Vector3d::Zero();                 ///< Joint's position in the parent's frame, metres.
   Quaterniond R_PL_rest = Quaterniond::Identity();  ///< Rest orientation relative to the parent (root: to the world).
   double length = 0.0;                              ///< Metres, along x; >= 0.
+  std::vector<Capsule> capsules;                    ///< Its flesh; empty where it does not matter.
 };
 
 struct Skeleton {
@@ -68,7 +75,10 @@ std::vector<SegmentPose> poses_from_orientations(const Skeleton& skeleton, const
 std::vector<SegmentPose> poses_from_joints(const Skeleton& skeleton, const std::vector<Quaterniond>& R_joint,
                                            const Vector3d& root_p_W);
 
-/// Scales all lengths and offsets by `height / skeleton.height`. Asserts that both are positive.
+/// Number of angles of a joint: 0 (fixed) to 3 (spherical).
+std::size_t degrees_of_freedom(JointKind kind);
+
+/// Scales all lengths, offsets and capsules by `height / skeleton.height`. Asserts that both are positive.
 Skeleton scaled_to_height(const Skeleton& skeleton, double height);
 
 /// Sets one segment's length, moving the children that hang on its end along.

@@ -168,7 +168,7 @@ class Trees {
   Similarity checked_local(int node, bool& is_good) {
     bool is_uniform = true;
     const auto& entry = model_.nodes[static_cast<std::size_t>(node)];
-    const Similarity place = local(entry, is_uniform);
+    Similarity place = local(entry, is_uniform);
     is_good = is_usable(place);
     if (!is_uniform && is_good) {
       diagnostics_.push_back({Severity::kWarning, "gltf.scale",

@@ -59,7 +59,8 @@ class SceneWriter {
       if (segment.parent < 0) {
         model_.scenes[0].nodes.push_back(index);
       } else {
-        model_.nodes[static_cast<std::size_t>(first_ + segment.parent)].children.push_back(index);
+        model_.nodes[static_cast<std::size_t>(first_) + static_cast<std::size_t>(segment.parent)].children.push_back(
+            index);
       }
     }
   }

@@ -161,7 +161,8 @@ Result<motion::Clip> arranged(motion::Clip clip, const Preset& preset) {
     clip = along_bones(std::move(clip), preset.bone_axis);
   }
   if (preset.rest_frame) {
-    clip = motion::with_rest_frame(std::move(clip), Vector3d(clip.skeleton.segments.front().p_PL));
+    const Vector3d p_root = clip.skeleton.segments.front().p_PL;
+    clip = motion::with_rest_frame(std::move(clip), p_root);
   }
   return clip;
 }

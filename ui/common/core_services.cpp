@@ -153,11 +153,14 @@ Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& 
   return simulate::open_simulator(settings.value());
 }
 
-/// Shipped rigs by title. One that cannot be read is named by its file, so that choosing it tells why.
+/// Shipped rigs for a sound card by title. One that cannot be read is named by its file, so that choosing it tells why.
 std::vector<RigChoice> list_rigs() {
   std::vector<RigChoice> rigs;
   for (const std::string& name : body::shipped_rigs()) {
     const auto rig = body::load_rig(name);
+    if (rig && !rig->has_line_in) {
+      continue;  // nothing that a sound card could capture
+    }
     rigs.push_back({name, rig && !rig->title.empty() ? rig->title : name});
   }
   return rigs;

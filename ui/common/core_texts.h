@@ -2,12 +2,11 @@
 #pragma once
 
 #include <QtGlobal>
-#include <array>
 
 // clang-format off
 namespace limbwave::ui {
 
-inline constexpr std::array kCoreTexts{
+inline constexpr const char* kCoreTexts[] = {
     // core/base
     QT_TRANSLATE_NOOP("Core", "cannot be written"),
     QT_TRANSLATE_NOOP("Core", "writing failed"),
@@ -408,6 +407,8 @@ inline constexpr std::array kCoreTexts{
     QT_TRANSLATE_NOOP("Core", "the mounting of %1"),
     QT_TRANSLATE_NOOP("Core", "never calibrated, so from the data sheet: %1"),
     QT_TRANSLATE_NOOP("Core", "calibrate these sensors, then solve again"),
+    QT_TRANSLATE_NOOP("Core", "the mounting poses were up to %1° from perpendicular: %2"),
+    QT_TRANSLATE_NOOP("Core", "hold the poses more exactly to make it better"),
     QT_TRANSLATE_NOOP("Core", "an unknown date"),
     QT_TRANSLATE_NOOP("Core", "has no calibration in it"),
     QT_TRANSLATE_NOOP("Core", "calibrate it, or choose another --calibration"),

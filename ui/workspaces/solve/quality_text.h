@@ -16,8 +16,9 @@ struct Verdict {
   QString remedy;  ///< May be empty.
 };
 
-/// The whole report in one sentence: the worst of its parts.
-Verdict overall_verdict(const solve::QualityReport& report);
+/// The whole report in one sentence: the worst of its parts. Where the truth is known (null: it is not) it has the last
+/// word: a figure that is off is not good, however well its sensors were heard.
+Verdict overall_verdict(const solve::QualityReport& report, const evaluate::Evaluation* evaluation = nullptr);
 /// One sensor: usable and trusted fractions, gravity at rest.
 Verdict sensor_verdict(const solve::SensorQuality& sensor);
 /// The line: lost cycles, clipping.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTimer>
+#include <optional>
 #include <vector>
 
 #include "viewer/viewer_widget.h"
@@ -42,6 +43,7 @@ class SolveWorkspace : public Workspace {
   QWidget* make_failure_bar();
   void follow_context();
   void follow_live();
+  void follow_recording();
   void play_first_demo();
   void set_live(bool live);
   void show_state();
@@ -76,6 +78,10 @@ class SolveWorkspace : public Workspace {
   static constexpr std::size_t kFiguresUnderWay = 8;  // more are never on their way to the screen
   std::vector<ShownFigure> shown_figures_;            // newest last
   bool live_ = false, active_ = false;
+  /// What the user asked for with the Live button, until another take or recording begins.
+  std::optional<bool> wish_;
+  bool recorded_ = false;  ///< A take is being recorded.
+  bool framed_live_ = false, framed_take_ = false;
   std::vector<body::SegmentPose> poses_;
 };
 
