@@ -386,6 +386,22 @@ TEST(GltfFile, LittleFilesCannotAskForMuchMemory) {
   ASSERT_FALSE(many.ok());
   EXPECT_NE(many.error().message.find("400 skeletons"), std::string::npos) << many.error().text();
 
+  // A mesh of a million corners without data, on forty nodes.
+  const auto zeros = [](int type, const char* kind) {
+    return nlohmann::json{{"componentType", type}, {"type", kind}, {"count", 1000000}};
+  };
+  json = {{"asset", {{"version", "2.0"}}},
+          {"skins", {{{"joints", {0}}}}},
+          {"accessors", {zeros(5126, "VEC3"), zeros(5123, "VEC4"), zeros(5126, "VEC4")}},
+          {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}, {"JOINTS_0", 1}, {"WEIGHTS_0", 2}}}}}}}}}};
+  json["nodes"].push_back({{"name", "hips"}});
+  for (int i = 0; i < 40; ++i) {
+    json["nodes"].push_back({{"mesh", 0}, {"skin", 0}});
+  }
+  const auto meshes = read_gltf(json.dump(), "x.gltf");
+  ASSERT_FALSE(meshes.ok());
+  EXPECT_NE(meshes.error().message.find("more"), std::string::npos) << meshes.error().text();
+
   constexpr int kKeys = 20000;
   std::string times;
   std::string values;
