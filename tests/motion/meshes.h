@@ -130,7 +130,7 @@ inline motion::TriangleMesh capsules(const body::Skeleton& skeleton, double step
   mesh.name = "person";
   std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> on_edge;
   const auto vertex = [&](const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
-    const auto key = std::minmax(index(a), index(b));
+    const std::pair<std::size_t, std::size_t> key = std::minmax({index(a), index(b)});
     const auto [found, is_new] = on_edge.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
     if (is_new) {
       const double u = field[index(a)] / (field[index(a)] - field[index(b)]);
