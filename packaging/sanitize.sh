@@ -4,8 +4,9 @@
 #   asan   AddressSanitizer with its leak check, and UndefinedBehaviorSanitizer: all tests of core but those that work
 #          in real time, and the studio's models and geometry (they need no window; what Qt, fontconfig and Mesa leave
 #          allocated is in tests/support/lsan_suppressions.txt)
-#   tsan   ThreadSanitizer: whatever has threads: the ring, sound cards, the live session and its recordings, the take's
-#          recorder, the live simulator, the studio's job runner
+#   tsan   ThreadSanitizer: whatever has threads: the ring, sound cards, the live session with its recordings and the
+#          simulator, the take's recorder, the studio's job runner (the sound libraries and Qt are not instrumented:
+#          what comes from inside them is in tests/support/tsan_suppressions.txt)
 #
 # FILTER: an extended regular expression for the names of the test programs below. Tests that need recordings find them
 # in LIMBWAVE_DATA and skip without.
@@ -28,12 +29,12 @@ case $kind in
     export LSAN_OPTIONS="suppressions=$top/tests/support/lsan_suppressions.txt:print_suppressions=0"
     ;;
   tsan)
-    programs=(base/test_base acquire/test_sound_card take/test_take simulate/simulate_test solve/test_live
-      solve/test_live_recording ui/common/ui_job_runner_test)
+    programs=(base/test_base acquire/test_sound_card take/test_take solve/test_live solve/test_live_recording
+      ui/common/ui_job_runner_test)
     export TSAN_OPTIONS="suppressions=$top/tests/support/tsan_suppressions.txt:halt_on_error=0:second_deadlock_stack=1"
     ;;
   *)
-    sed -n '2,12s/^# \{0,1\}//p' "$0"
+    sed -n '2,13s/^# \{0,1\}//p' "$0"
     exit 2
     ;;
 esac

@@ -723,20 +723,12 @@
         <translation>steht nicht senkrecht auf der ersten Pose</translation>
     </message>
     <message>
-        <source>is &quot;%1&quot;, which another accelerometer has already</source>
-        <translation>ist „%1“, so heißt schon ein anderer Beschleunigungssensor</translation>
-    </message>
-    <message>
         <source>has %1 entries, but %2 slots carry %3 sensors</source>
         <translation>hat %1 Einträge, aber %2 Zeitfächer tragen %3 Sensoren</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which is no segment of skeleton &quot;%2&quot;</source>
         <translation>ist „%1“, das ist kein Segment des Skeletts „%2“</translation>
-    </message>
-    <message>
-        <source>%1: /accelerometers/%2/segment</source>
-        <translation>%1: /accelerometers/%2/segment</translation>
     </message>
     <message>
         <source>name one of its segments</source>
@@ -1797,6 +1789,66 @@
     <message>
         <source>hold the poses more exactly to make it better</source>
         <translation>die Haltungen genauer einnehmen, dann wird es besser</translation>
+    </message>
+    <message>
+        <source>is more than 10 m off</source>
+        <translation>liegt mehr als 10 m entfernt</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which another %2 has already</source>
+        <translation>ist „%1“, was schon ein anderer Eintrag hat (%2)</translation>
+    </message>
+    <message>
+        <source>has a pulse_hz of %1, too close to half the sample rate</source>
+        <translation>hat pulse_hz %1, zu nah an der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>use a rate_hz of at least 2.5 times pulse_hz</source>
+        <translation>rate_hz mindestens auf das 2,5-Fache von pulse_hz setzen</translation>
+    </message>
+    <message>
+        <source>has pulses longer than half a slot</source>
+        <translation>hat Pulse, die länger als ein halber Zeitschlitz sind</translation>
+    </message>
+    <message>
+        <source>use fewer pulse_cycles or more slot_samples</source>
+        <translation>weniger pulse_cycles oder mehr slot_samples verwenden</translation>
+    </message>
+    <message>
+        <source>has %1 entries, but %2 microphones have a wire each</source>
+        <translation>hat %1 Einträge, aber %2 Mikrofone haben je eine Leitung</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, but the microphone of this wire is &quot;%2&quot;</source>
+        <translation>ist „%1“, aber das Mikrofon dieser Leitung ist „%2“</translation>
+    </message>
+    <message>
+        <source>%1: /%2/%3/segment</source>
+        <translation>%1: /%2/%3/segment</translation>
+    </message>
+    <message>
+        <source>stands beside line_in</source>
+        <translation>steht neben line_in</translation>
+    </message>
+    <message>
+        <source>a rig has one or the other</source>
+        <translation>ein Rig hat das eine oder das andere</translation>
+    </message>
+    <message>
+        <source>has %1 entries</source>
+        <translation>hat %1 Einträge</translation>
+    </message>
+    <message>
+        <source>a driver box has 1 to 64 wires</source>
+        <translation>eine Treiberbox hat 1 bis 64 Leitungen</translation>
+    </message>
+    <message>
+        <source>a driver box has up to 64 sources</source>
+        <translation>eine Treiberbox hat bis zu 64 Quellen</translation>
+    </message>
+    <message>
+        <source>lies more than 10 m off</source>
+        <translation>liegt mehr als 10 m entfernt</translation>
     </message>
 </context>
 <context>
@@ -3185,6 +3237,10 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Neigung</translation>
     </message>
 </context>
 <context>
@@ -5054,6 +5110,14 @@
     <message>
         <source>Space stops it. Drag in the timeline to look at a moment, drag in the picture to look from elsewhere.</source>
         <translation>Die Leertaste hält sie an. Ziehen Sie in der Zeitleiste, um einen Moment anzusehen, und im Bild, um von anderswo zu schauen.</translation>
+    </message>
+    <message>
+        <source>Off the truth by %1.</source>
+        <translation>Abweichung von der Wahrheit: %1.</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "common/theme.h"
 #include "timeline/timeline_geometry.h"
+#include "workspaces/solve/quality_text.h"
 
 namespace limbwave::ui {
 
@@ -243,8 +244,7 @@ void BoneCard::show_keys() {
         current = static_cast<int>(texts.size());
       }
       texts << tr("%1    %2°")
-                   .arg(QString::fromStdString(time_label(key.time_s, 0.001)),
-                        locale().toString(degrees(key.value), 'f', 1));
+                   .arg(QString::fromStdString(time_label(key.time_s, 0.001)), signed_number(degrees(key.value), 1));
     }
   }
   while (list_->count() > texts.size()) {

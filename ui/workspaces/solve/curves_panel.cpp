@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "common/theme.h"
+#include "workspaces/solve/quality_text.h"
 
 namespace limbwave::ui {
 
@@ -114,7 +115,7 @@ void CurvesPanel::draw(QPainter& painter) const {
   painter.drawText(QRectF(kNames, 0, width(), kHeader), Qt::AlignVCenter, tr("Elevation of the bone, −90° to 90°"));
   // The scale of trust, right beside its name.
   const QString trust = tr("Trust");
-  const QRectF bar(width() - kValues - 96, kHeader / 2 - 3, 64, 6);
+  const QRectF bar(width() - kValues - 140, kHeader / 2 - 3, 64, 6);
   const double named = painter.fontMetrics().horizontalAdvance(trust) + 4.0;
   painter.drawText(QRectF(bar.left() - 20 - named, 0, named, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
   painter.drawText(QRectF(bar.left() - 16, 0, 12, kHeader), Qt::AlignVCenter | Qt::AlignRight, QStringLiteral("0"));
@@ -122,6 +123,10 @@ void CurvesPanel::draw(QPainter& painter) const {
   for (int x = 0; x < static_cast<int>(bar.width()); ++x) {
     painter.fillRect(QRectF(bar.left() + x, bar.top(), 1, bar.height()), confidence_color(x / bar.width()));
   }
+  // Above the values at the playhead.
+  const double values = width() - kValues + kGrid;
+  painter.drawText(QRectF(values - 40, 0, 92, kHeader), Qt::AlignVCenter | Qt::AlignRight, tr("Elevation"));
+  painter.drawText(QRectF(values + 60, 0, 56, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
   for (std::size_t row = 0; row < rows(); ++row) {
     draw_row(painter, row);
   }
@@ -240,7 +245,7 @@ void CurvesPanel::draw_values(QPainter& painter) const {
     painter.setPen(theme.text);
     if (i < curve.elevation_deg.size() && std::isfinite(curve.elevation_deg[i])) {
       painter.drawText(QRectF(cell.left(), cell.top(), 52, cell.height()), Qt::AlignVCenter | Qt::AlignRight,
-                       tr("%1°").arg(locale().toString(static_cast<double>(curve.elevation_deg[i]), 'f', 1)));
+                       tr("%1°").arg(signed_number(static_cast<double>(curve.elevation_deg[i]), 1)));
     }
     if (i < curve.trust.size()) {
       painter.setPen(theme.dim);

@@ -190,6 +190,12 @@ Verdict overall_verdict(const solve::QualityReport& report, const evaluate::Eval
   return {Tone::kGood, Quality::tr("Good: every sensor was heard and trusted."), {}};
 }
 
+QString signed_number(double value, int decimals) {
+  const QString digits = number(std::abs(value), decimals);
+  const bool zero = digits == number(0.0, decimals);
+  return value < 0.0 && !zero ? QChar(0x2212) + digits : digits;
+}
+
 QString error_text(double mean_deg, double max_deg) {
   return Quality::tr("%1° mean, %2° at most").arg(number(mean_deg, 2), number(max_deg, 1));
 }

@@ -26,6 +26,8 @@ Verdict line_verdict(const decode::LineInStatus& line);
 /// Facts of the line with their units, one each.
 std::vector<QString> line_facts(const decode::LineInStatus& line);
 Verdict diagnostic_verdict(const Diagnostic& diagnostic);
+/// With a true minus sign, which is as wide as a digit: "−19.1".
+QString signed_number(double value, int decimals);
 /// "2.1° mean, 4.8° at most"
 QString error_text(double mean_deg, double max_deg);
 /// A fraction as percent that never rounds up to a false 100 %: "99.9 %".

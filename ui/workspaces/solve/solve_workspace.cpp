@@ -32,6 +32,7 @@ namespace {
 
 constexpr int kLiveStatusMs = 500;
 constexpr int kExtentInstants = 60;
+constexpr int kVerdictIcon = 18;
 
 std::vector<ViewerSensor> viewer_sensors(const body::Rig& rig, const body::Skeleton& skeleton) {
   std::vector<ViewerSensor> list;
@@ -68,6 +69,10 @@ QWidget* SolveWorkspace::make_toolbar() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
   row->setSpacing(4);
+  verdict_ = new QLabel(bar);
+  verdict_->setObjectName(QStringLiteral("solve_verdict"));
+  row->addWidget(verdict_);
+  row->addSpacing(4);
   status_ = new ElidedLabel({}, bar);
   status_->setFont(tabular(font()));
   live_button_ = new QPushButton(tr("Live"), bar);
@@ -115,10 +120,11 @@ QWidget* SolveWorkspace::make_failure_bar() {
   row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
   row->setSpacing(kGrid);
   failure_ = new QLabel(failure_bar_);
-  failure_->setProperty("role", QStringLiteral("danger"));
   failure_->setWordWrap(true);
+  failure_icon_ = new QLabel(failure_bar_);
   retry_ = new QPushButton(tr("Try again"), failure_bar_);
   calibrate_ = new QPushButton(tr("Calibrate"), failure_bar_);
+  row->addWidget(failure_icon_);
   row->addWidget(failure_, 1);
   row->addWidget(calibrate_);
   row->addWidget(retry_);
@@ -163,6 +169,7 @@ void SolveWorkspace::follow_context() {
       follow_live();
     }
   });
+  connect(&model_, &SolveModel::evaluation_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_skeleton);
   connect(retry_, &QPushButton::clicked, &model_, &SolveModel::start);
   connect(calibrate_, &QPushButton::clicked, this, [this] { context_.reveal(QStringLiteral("calibrate")); });
@@ -243,6 +250,7 @@ void SolveWorkspace::show_state() {
   const bool failed_again = state == SolveState::kFailed && model_.solve() && !live_;
   failure_bar_->setVisible(failed_again);
   calibrate_->setVisible(model_.settings().calibration != "nominal");
+  show_verdict();
   if (live_) {
     return;
   }
@@ -258,10 +266,39 @@ void SolveWorkspace::show_state() {
   } else if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
     const std::size_t frames = clip.joints.empty() ? 0 : clip.joints.front().rotation.times.size();
-    status_->set_text(tr("%1 of motion, %2 frames at %3 Hz, smoothing: %4")
-                          .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
-                               locale().toString(clip.frame_rate_hz, 'f', 2),
-                               smoothing_name(model_.solve()->settings.smoothing).toLower()));
+    const QString facts = tr("%1 of motion, %2 frames at %3 Hz, smoothing: %4")
+                              .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
+                                   locale().toString(clip.frame_rate_hz, 'f', 2),
+                                   smoothing_name(model_.solve()->settings.smoothing).toLower());
+    // The truth, where it is known, tells more than anything else.
+    const auto& evaluation = model_.evaluation();
+    const QString headline =
+        evaluation ? tr("Off the truth by %1.")
+                         .arg(error_text(evaluation->all.inclination_mean_deg, evaluation->all.inclination_max_deg))
+                   : overall_verdict(model_.solve()->report).text;
+    status_->set_text(tr("%1   %2").arg(headline, facts));
+  }
+}
+
+void SolveWorkspace::show_verdict() {
+  const bool judged = !live_ && model_.solve() && model_.state() == SolveState::kSolved;
+  verdict_->setVisible(judged);
+  if (judged) {
+    const auto& evaluation = model_.evaluation();
+    const Verdict verdict = overall_verdict(model_.solve()->report, evaluation ? &*evaluation : nullptr);
+    verdict_->setPixmap(
+        icon_pixmap(tone_icon(verdict.tone), tone_color(palette(), verdict.tone), kVerdictIcon, devicePixelRatioF()));
+    verdict_->setToolTip(QStringLiteral("%1 %2").arg(verdict.text, verdict.remedy).trimmed());
+    verdict_->setAccessibleName(verdict.text);
+  }
+  failure_icon_->setPixmap(
+      icon_pixmap(tone_icon(Tone::kWarning), tone_color(palette(), Tone::kWarning), kVerdictIcon, devicePixelRatioF()));
+}
+
+void SolveWorkspace::changeEvent(QEvent* event) {
+  Workspace::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && failure_icon_ != nullptr) {
+    show_verdict();
   }
 }
 

@@ -36,6 +36,7 @@ class SolveWorkspace : public Workspace {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   QWidget* make_toolbar();
@@ -47,6 +48,7 @@ class SolveWorkspace : public Workspace {
   void play_first_demo();
   void set_live(bool live);
   void show_state();
+  void show_verdict();
   void show_figure();
   void show_curves();
   void show_skeleton();
@@ -64,10 +66,11 @@ class SolveWorkspace : public Workspace {
   QPushButton* empty_button_ = nullptr;
   ViewerWidget* viewer_ = nullptr;
   CurvesPanel* curves_ = nullptr;
+  QLabel* verdict_ = nullptr;  ///< The tone of what `status_` says.
   ElidedLabel* status_ = nullptr;
   QPushButton* live_button_ = nullptr;
   QWidget* failure_bar_ = nullptr;  ///< Seen when solving again has failed.
-  QLabel* failure_ = nullptr;
+  QLabel *failure_ = nullptr, *failure_icon_ = nullptr;
   QPushButton *retry_ = nullptr, *calibrate_ = nullptr;
   QToolButton* ghost_ = nullptr;
   QTimer live_timer_;
