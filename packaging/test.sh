@@ -35,5 +35,6 @@ else
 fi
 if $all; then
   step "demo without a display"
+  rm -rf "$top/build/demo-test"
   env -u DISPLAY -u WAYLAND_DISPLAY LIMBWAVE_PRESET=ci LIMBWAVE_DEMO_FOLDER="$top/build/demo-test" packaging/run.sh
 fi

@@ -1363,10 +1363,6 @@
         <translation>mit jener Version öffnen</translation>
     </message>
     <message>
-        <source>this version reads &quot;line-in&quot;</source>
-        <translation>diese Version liest „line-in“</translation>
-    </message>
-    <message>
         <source>%1: /rig</source>
         <translation>%1: /rig</translation>
     </message>
@@ -1873,6 +1869,134 @@
     <message>
         <source>give every sensor its own place</source>
         <translation>geben Sie jedem Sensor seine eigene Stelle</translation>
+    </message>
+    <message>
+        <source>%1 samples were lost on the line</source>
+        <translation>%1 Abtastwerte gingen auf der Leitung verloren</translation>
+    </message>
+    <message>
+        <source>wire %1 was %2</source>
+        <translation>Leitung %1 wurde %2</translation>
+    </message>
+    <message>
+        <source>plugged in again</source>
+        <translation>wieder eingesteckt</translation>
+    </message>
+    <message>
+        <source>a block came twice and was taken once</source>
+        <translation>ein Block kam doppelt und wurde einmal genommen</translation>
+    </message>
+    <message>
+        <source>a block came late and was put in its place</source>
+        <translation>ein Block kam verspätet und wurde an seine Stelle gesetzt</translation>
+    </message>
+    <message>
+        <source>is no serial port</source>
+        <translation>ist keine serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>check the cable, and the port&apos;s name</source>
+        <translation>prüfen Sie das Kabel und den Namen der Schnittstelle</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>check the cable, and that you may use serial ports (group dialout)</source>
+        <translation>prüfen Sie das Kabel und ob Sie serielle Schnittstellen benutzen dürfen (Gruppe dialout)</translation>
+    </message>
+    <message>
+        <source>the driver box does not answer any more; waiting for it</source>
+        <translation>die Treiberbox antwortet nicht mehr; es wird auf sie gewartet</translation>
+    </message>
+    <message>
+        <source>the driver box was switched on again; the length of the gap is by the computer&apos;s clock</source>
+        <translation>die Treiberbox wurde wieder eingeschaltet; die Länge der Lücke kommt von der Uhr des Rechners</translation>
+    </message>
+    <message>
+        <source>the driver box is back after %1 s</source>
+        <translation>die Treiberbox ist nach %1 s wieder da</translation>
+    </message>
+    <message>
+        <source>samples come again after %1 s</source>
+        <translation>nach %1 s kommen wieder Abtastwerte</translation>
+    </message>
+    <message>
+        <source>no samples come from the driver box</source>
+        <translation>von der Treiberbox kommen keine Abtastwerte</translation>
+    </message>
+    <message>
+        <source>does not answer as a driver box does</source>
+        <translation>antwortet nicht wie eine Treiberbox</translation>
+    </message>
+    <message>
+        <source>check that it is the box&apos;s port, and that it is on</source>
+        <translation>prüfen Sie, ob es die Schnittstelle der Box ist und ob sie eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>cannot be written to</source>
+        <translation>lässt sich nicht beschreiben</translation>
+    </message>
+    <message>
+        <source>check the cable</source>
+        <translation>prüfen Sie das Kabel</translation>
+    </message>
+    <message>
+        <source>numbers are copied as they lie in memory</source>
+        <translation>Zahlen werden so kopiert, wie sie im Speicher liegen</translation>
+    </message>
+    <message>
+        <source>has an entry that is not above 0 and up to 2</source>
+        <translation>hat einen Eintrag, der nicht über 0 und höchstens 2 ist</translation>
+    </message>
+    <message>
+        <source>amplitudes at 0, 10, ... 180 degrees</source>
+        <translation>Amplituden bei 0, 10, … 180 Grad</translation>
+    </message>
+    <message>
+        <source>has no driver box</source>
+        <translation>hat keine Treiberbox</translation>
+    </message>
+    <message>
+        <source>rig &quot;%1&quot;</source>
+        <translation>Rig „%1“</translation>
+    </message>
+    <message>
+        <source>use driver-box-body or another with a driver box</source>
+        <translation>nehmen Sie driver-box-body oder ein anderes mit Treiberbox</translation>
+    </message>
+    <message>
+        <source>is for %1 wires and %2 sources at %3 Hz with %4 samples a slot, but the box has %5 and %6 at %7 Hz with %8</source>
+        <translation>ist für %1 Leitungen und %2 Quellen bei %3 Hz mit %4 Abtastwerten je Zeitschlitz, aber die Box hat %5 und %6 bei %7 Hz mit %8</translation>
+    </message>
+    <message>
+        <source>use the rig that belongs to this box</source>
+        <translation>nehmen Sie das Rig, das zu dieser Box gehört</translation>
+    </message>
+    <message>
+        <source>driver box %1, %2</source>
+        <translation>Treiberbox %1, %2</translation>
+    </message>
+    <message>
+        <source>the box&apos;s battery is down to %1 V</source>
+        <translation>die Batterie der Box ist auf %1 V gesunken</translation>
+    </message>
+    <message>
+        <source>this version reads &quot;line-in&quot; and &quot;driver-box&quot;</source>
+        <translation>diese Version liest „line-in“ und „driver-box“</translation>
+    </message>
+    <message>
+        <source>%1: /ranging</source>
+        <translation>%1: /ranging</translation>
+    </message>
+    <message>
+        <source>has %1 channels, but its rig is not that of a driver box with as many wires</source>
+        <translation>hat %1 Kanäle, aber sein Rig ist nicht das einer Treiberbox mit ebenso vielen Leitungen</translation>
+    </message>
+    <message>
+        <source>use a take of a driver box</source>
+        <translation>nehmen Sie einen Take einer Treiberbox</translation>
     </message>
 </context>
 <context>
