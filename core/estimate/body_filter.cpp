@@ -43,8 +43,7 @@ BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, co
     const bool carries = std::any_of(
         model.skeleton.segments.begin(), model.skeleton.segments.end(),
         [&](const body::Segment& child) { return child.parent == static_cast<int>(s) && !child.p_PL.isZero(); });
-    layout.bone_scale.push_back(
-        take(carries && p.bone_scale > 0.0 && (p.use_accelerometers || p.use_ranges), 1));
+    layout.bone_scale.push_back(take(carries && p.bone_scale > 0.0 && (p.use_accelerometers || p.use_ranges), 1));
   }
   return layout;
 }

@@ -58,14 +58,14 @@ struct BodyFilterParameters {
   double bone_scale = 0.02;
 
   // Start: around the rest pose.
-  double rest_pose = 0.07;      ///< Of each joint degree of freedom.
-  double start_rate = 0.3;      ///< rad/s.
+  double rest_pose = 0.07;  ///< Of each joint degree of freedom.
+  double start_rate = 0.3;  ///< rad/s.
   double start_acceleration = 5.0;
 
   // The root.
   double given_rotation = 0.002, given_place = 0.002;  ///< Of a root that is given.
-  double root_speed = 2.0;   ///< A free root's usual speed, m/s: what keeps inclination from drifting with it.
-  double root_reach = 0.0;   ///< How far a free root strays, m; 0: anywhere.
+  double root_speed = 2.0;  ///< A free root's usual speed, m/s: what keeps inclination from drifting with it.
+  double root_reach = 0.0;  ///< How far a free root strays, m; 0: anywhere.
 
   double gate_probability = 1e-6;  ///< Of rejecting a good reading.
   double limit_softness = 0.05;    ///< Of joint limits, rad; 0: not used.

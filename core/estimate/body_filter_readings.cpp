@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimate/body_filter.h"
 #include "base/units.h"
+#include "estimate/body_filter.h"
 #include "geometry/so3.h"
 
 namespace limbwave::estimate {
@@ -269,13 +269,14 @@ void BodyFilter::add_limits() {
     }
     const body::Joint& joint = model_.skeleton.segments[static_cast<std::size_t>(link.segment)].joint;
     const bool ball = link.kind == body::LinkKind::kBall;
-    const Vector3d phi = ball ? geometry::log_so3(state_.joints.R_joint[l]) : Vector3d(state_.joints.q[link.first], 0, 0);
+    const Vector3d phi =
+        ball ? geometry::log_so3(state_.joints.R_joint[l]) : Vector3d(state_.joints.q[link.first], 0, 0);
     const Matrix3d J = ball ? geometry::right_jacobian_inverse(phi) : Matrix3d::Identity();
     for (int i = 0; i < link.count; ++i) {
       const int axis = ball ? i : link.axis_index;
-      const double beyond =
-          phi[i] > joint.maximum[axis] ? joint.maximum[axis] - phi[i]
-                                       : (phi[i] < joint.minimum[axis] ? joint.minimum[axis] - phi[i] : 0.0);
+      const double beyond = phi[i] > joint.maximum[axis]
+                                ? joint.maximum[axis] - phi[i]
+                                : (phi[i] < joint.minimum[axis] ? joint.minimum[axis] - phi[i] : 0.0);
       if (beyond == 0.0) {
         continue;
       }

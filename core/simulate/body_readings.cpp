@@ -113,8 +113,7 @@ SimulatedReadings simulate_readings(const DriverBoxActor& actor, const body::Rig
       chip.bias += draw_vector(walk, errors.gyroscope_bias_walk / std::sqrt(box.word_rate_hz));
       const Vector3d w = chip.gyroscope * truth.w_S + chip.g_sensitivity * truth.f_S / kStandardGravity + chip.bias +
                          draw_vector(noise, errors.gyroscope_noise);
-      const Vector3d f =
-          chip.accelerometer * truth.f_S + chip.offset + draw_vector(noise, errors.accelerometer_noise);
+      const Vector3d f = chip.accelerometer * truth.f_S + chip.offset + draw_vector(noise, errors.accelerometer_noise);
       readings.boards.push_back({t, static_cast<int>(b), quantised(w, range, errors.accumulates),
                                  quantised(f, force_range, errors.accumulates)});
     }
@@ -141,9 +140,9 @@ SimulatedReadings simulate_readings(const DriverBoxActor& actor, const body::Rig
       double distance = (microphone.p_W.v - source.p_W.v).norm();
       for (int step = 0; step < 3; ++step) {
         const double flight = distance / kSpeedOfSound;
-        distance = (microphone.p_W.v + flight * microphone.p_W.d + 0.5 * flight * flight * microphone.p_W.dd -
-                    source.p_W.v)
-                       .norm();
+        distance =
+            (microphone.p_W.v + flight * microphone.p_W.d + 0.5 * flight * flight * microphone.p_W.dd - source.p_W.v)
+                .norm();
       }
       const double noise_draw = draw(sound, settings.range_noise);
       const double wrong_draw = wrong.uniform();

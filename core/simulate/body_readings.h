@@ -1,6 +1,6 @@
-/// What the boards of a body would report if sound and words were decoded perfectly: angular velocities, specific forces
-/// and ranges with the errors of signals.md §4, and the truth beside them. For everything that is judged without the
-/// way through samples; shares no kinematics with the filters.
+/// What the boards of a body would report if sound and words were decoded perfectly: angular velocities, specific
+/// forces and ranges with the errors of signals.md §4, and the truth beside them. For everything that is judged without
+/// the way through samples; shares no kinematics with the filters.
 #pragma once
 
 #include <memory>

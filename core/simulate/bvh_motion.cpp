@@ -379,7 +379,8 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
         axes[i].axis[1] = segment.joint.axis2;
         for (int k = 0; k < count; ++k) {
           if (!before.empty()) {  // no joint turns faster
-            angles[i][k] = std::clamp(angles[i][k], before[i][k] - kFastestTurn / rate, before[i][k] + kFastestTurn / rate);
+            angles[i][k] =
+                std::clamp(angles[i][k], before[i][k] - kFastestTurn / rate, before[i][k] + kFastestTurn / rate);
           }
           axes[i].angle[k].push_back(angles[i][k]);
         }

@@ -55,7 +55,9 @@ int main(int argc, char** argv) {
   const auto instants = estimate::instants_of(readings);
   fmt::print("{} errors {}: {:.0f} s, {} inertial readings, {} ranges\n", motion, profile,
              readings.inertial.back().time_s, readings.inertial.size(), readings.ranges.size());
-  fmt::print("sensors |     neck          right shoulder    left hip      | paper's                               | all joints | x real time\n");
+  fmt::print(
+      "sensors |     neck          right shoulder    left hip      | paper's                               | all "
+      "joints | x real time\n");
   for (const PaperRow& row : kPaper) {
     if (argc > 5) {
       bool wanted = false;
@@ -119,10 +121,12 @@ int main(int argc, char** argv) {
       const auto& e = joints.by_name[name];
       return fmt::format("{:6.2f}/{:6.2f}", e.mean(), e.sd());
     };
-    fmt::print("{:<7} | {}   {}   {} | {:5.1f}/{:5.1f} {:5.1f}/{:5.1f} {:5.1f}/{:5.1f} | {:5.2f} max {:5.2f} | {:.1f} ({} states)\n", row.sensors,
-               cell("neck"), cell("right_upper_arm"), cell("left_thigh"), row.figures[0], row.figures[1],
-               row.figures[2], row.figures[3], row.figures[4], row.figures[5], joints.all.mean(), joints.all.largest,
-               readings.inertial.back().time_s / busy.count(), filter.layout().size);
+    fmt::print(
+        "{:<7} | {}   {}   {} | {:5.1f}/{:5.1f} {:5.1f}/{:5.1f} {:5.1f}/{:5.1f} | {:5.2f} max {:5.2f} | {:.1f} ({} "
+        "states)\n",
+        row.sensors, cell("neck"), cell("right_upper_arm"), cell("left_thigh"), row.figures[0], row.figures[1],
+        row.figures[2], row.figures[3], row.figures[4], row.figures[5], joints.all.mean(), joints.all.largest,
+        readings.inertial.back().time_s / busy.count(), filter.layout().size);
     if (std::getenv("VERBOSE") != nullptr) {
       for (const auto& [name, e] : joints.by_name) {
         fmt::print("   {:<16} {:6.2f} / {:5.2f}  max {:6.2f}\n", name, e.mean(), e.sd(), e.largest);

@@ -49,7 +49,8 @@ class JointErrors {
            const std::vector<body::SegmentPose>& truth) {
     for (std::size_t i = 1; i < skeleton.segments.size(); ++i) {
       const body::Segment& segment = skeleton.segments[i];
-      const Eigen::Quaterniond R_true = truth[static_cast<std::size_t>(segment.parent)].R_WL.conjugate() * truth[i].R_WL;
+      const Eigen::Quaterniond R_true =
+          truth[static_cast<std::size_t>(segment.parent)].R_WL.conjugate() * truth[i].R_WL;
       const double e = degrees(geometry::geodesic_angle(R_true, segment.R_PL_rest * R_joint[i]));
       by_name[segment.name].add(e);
       all.add(e);
