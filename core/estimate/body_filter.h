@@ -39,8 +39,8 @@ struct BodyFilterParameters {
   double gyroscope_relative = 0.005;
   double accelerometer_noise = 0.02;  ///< m/s² (§5.2).
   double accelerometer_relative = 0.01;
-  double range_noise = 0.0025;  ///< m (§5.2), divided by the confidence.
-  double range_outliers = 0.0;  ///< Not used by the default.
+  double range_noise = 0.0025;   ///< m (§5.2), divided by the confidence.
+  double reading_delay_s = 0.0;  ///< By which inertial readings are late, s; poses are carried forward by it.
 
   // Process: growth of θ̈ per √s, rad/s² (root translation: m/s²), and the time in which it forgets, s (0: never).
   double acceleration_walk = 60.0;
@@ -51,8 +51,8 @@ struct BodyFilterParameters {
   double gyroscope_bias = 0.002, gyroscope_bias_walk = 1e-4;
   double accelerometer_bias = 0.05, accelerometer_bias_walk = 1e-3;
   double mount_rotation = 0.05, mount_rotation_walk = 0.005;
-  double mount_place = 0.005, mount_place_walk = 0.001;
-  double source_place = 0.0;
+  double mount_place = 0.006, mount_place_walk = 0.001;
+  double source_place = 0.006;
   double range_offset = 0.0, range_offset_walk = 1e-5;
   double sound_scale = 0.005, sound_scale_walk = 1e-6;
   double bone_scale = 0.02;

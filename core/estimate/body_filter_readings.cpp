@@ -14,6 +14,8 @@ using Eigen::Matrix3d;
 
 const Vector3d kGravity(0.0, 0.0, -kStandardGravity);
 
+constexpr double kSpeedOfSound = 343.0;  // m/s; only for how far a microphone moves meanwhile
+
 // Tags: what a group's result is counted for.
 constexpr int kGyroscopeTag = 1 << 20;
 constexpr int kAccelerometerTag = 2 << 20;
@@ -163,7 +165,9 @@ void BodyFilter::add_range(const RangeReading& reading) {
   const Vector3d places[2] = {board.p_LS + state_.mount_place[b], source.p_LS + state_.source_place[s]};
   const TreeKinematics::PointMotion points[2] = {kinematics_.point(ends[0], places[0]),
                                                  kinematics_.point(ends[1], places[1])};
-  const Vector3d between = points[0].p - points[1].p;
+  // The microphone moves on while sound is under way.
+  const double flight = std::clamp(reading.range, 0.0, 10.0) / kSpeedOfSound;
+  const Vector3d between = points[0].p + flight * points[0].v - points[1].p;
   const double distance = between.norm();
   if (distance < 1e-3) {
     return;
@@ -187,7 +191,11 @@ void BodyFilter::add_range(const RangeReading& reading) {
     kinematics_.jacobians(ends[end], points[end], TreeKinematics::kPosition, source_jacobians_);
     const std::vector<int>& dofs = tree_.chain_dofs(ends[end]);
     for (std::size_t c = 0; c < dofs.size(); ++c) {
-      put(dofs[c], sign * u.dot(source_jacobians_.J_p_theta.col(static_cast<Eigen::Index>(c))));
+      const double along = sign * u.dot(source_jacobians_.J_p_theta.col(static_cast<Eigen::Index>(c)));
+      put(dofs[c], along);
+      if (end == 0) {
+        put(layout_.dofs + dofs[c], flight * along);
+      }
     }
     const int first = end == 0 ? layout_.mount_place[b] : layout_.source_place[s];
     for (int i = 0; first >= 0 && i < 3; ++i) {

@@ -55,7 +55,7 @@ struct InertialReading {
 };
 
 struct RangeReading {
-  double time_s = 0.0;  ///< Of the pulse's arrival.
+  double time_s = 0.0;  ///< When the pulse was sent.
   int source = 0, board = 0;
   double range = 0.0;       ///< Metres.
   double confidence = 1.0;  ///< 0..1; the standard deviation is divided by it (Vlasic et al. 2007, eq. (4)).

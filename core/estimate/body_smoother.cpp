@@ -13,6 +13,15 @@ using Eigen::VectorXd;
 
 void append_pose(const BodyFilter& filter, const BodyState& state, BodyTrack& track) {
   track.times.push_back(state.time_s);
+  const double delay = filter.parameters().reading_delay_s;
+  if (delay > 0.0) {
+    // What has been read is that long ago; the pose is wanted for now.
+    body::TreeState now = state.joints;
+    filter.tree().add(now, delay * now.qd + 0.5 * delay * delay * now.qdd);
+    track.R_joint.push_back(filter.tree().segment_rotations(now));
+    track.root_p_W.push_back(filter.tree().root_position(now));
+    return;
+  }
   track.R_joint.push_back(filter.tree().segment_rotations(state.joints));
   track.root_p_W.push_back(filter.tree().root_position(state.joints));
 }
@@ -168,7 +177,7 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
     return status.error();
   }
   BodyRun result;
-  start_from_rest(run.filter, readings);
+  result.diagnostics = start_from_rest(run.filter, readings);
   reserve(result.track, run.instants.size());
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
     run.step(i);
@@ -190,7 +199,8 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
   if (Status status = run.check(); !status) {
     return status.error();
   }
-  start_from_rest(run.filter, readings);
+  BodyRun result;
+  result.diagnostics = start_from_rest(run.filter, readings);
   struct Checkpoint {
     std::size_t first;
     BodyFilter::Snapshot snapshot;
@@ -208,7 +218,6 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
       return stopped();
     }
   }
-  BodyRun result;
   run.finish(result);
 
   const int dofs = run.filter.layout().dofs;
@@ -284,27 +293,39 @@ Diagnostics start_from_rest(BodyFilter& filter, const BodyReadings& readings) {
   if (given) {
     root = root_at(readings.root, begin);
   }
-  // Means over the first half second, of boards that hardly turned.
+  // Means over the first second, and how much every board moved in it.
   struct Mean {
-    Vector3d f = Vector3d::Zero(), w = Vector3d::Zero(), ww = Vector3d::Zero();
-    int count = 0;
+    Vector3d f = Vector3d::Zero(), w = Vector3d::Zero();
+    double ww = 0.0;
+    int forces = 0, rates = 0;
+    // Standard deviation of the rates, rad/s.
+    [[nodiscard]] double spread() const { return std::sqrt(std::max(0.0, ww / rates - (w / rates).squaredNorm())); }
   };
+  constexpr double kSecond = 1.0;
+  constexpr double kStill = 0.05;       // rad/s
+  constexpr double kMostBias = 0.05;    // rad/s: more is a turn
+  constexpr double kBiasLeft = 0.0007;  // rad/s: nobody stands more still
   std::vector<Mean> means(model.boards.size());
   for (const InertialReading& reading : readings.inertial) {
-    if (reading.time_s > begin + 0.5) {
+    if (reading.time_s > begin + kSecond) {
       break;
     }
     Mean& mean = means[static_cast<std::size_t>(reading.board)];
-    if (reading.f_S.allFinite()) {
+    if (reading.f_S.allFinite() && reading.time_s < begin + 0.5 * kSecond) {
       mean.f += reading.f_S;
-      ++mean.count;
+      ++mean.forces;
+    }
+    if (reading.w_S.allFinite()) {
+      mean.w += reading.w_S;
+      mean.ww += reading.w_S.squaredNorm();
+      ++mean.rates;
     }
   }
   bool inclined = false;
   if (!given && filter.tree().root_motion() == body::RootMotion::kFree && filter.parameters().use_accelerometers) {
     // Inclination of the root from the board on it.
     for (std::size_t b = 0; b < model.boards.size() && !inclined; ++b) {
-      if (model.boards[b].segment == 0 && means[b].count > 0) {
+      if (model.boards[b].segment == 0 && means[b].forces > 0) {
         const Quaterniond rest = model.skeleton.segments.front().R_PL_rest;
         const Vector3d up_W = rest * (model.boards[b].R_LS * Vector3d(means[b].f));
         root.R_WL = geometry::shortest_arc(up_W, Vector3d::UnitZ()) * rest;
@@ -314,6 +335,26 @@ Diagnostics start_from_rest(BodyFilter& filter, const BodyReadings& readings) {
     }
   }
   filter.start(begin, given || inclined ? &root : nullptr);
+  // Gyroscopes that read the same all the time stand still: what they read is their bias (§5.4 of the paper).
+  BodyState state = filter.state();
+  for (std::size_t b = 0; b < means.size(); ++b) {
+    const Mean& mean = means[b];
+    if (mean.rates < 20 || filter.layout().gyroscope_bias[b] < 0) {
+      continue;
+    }
+    if (mean.spread() > kStill || (mean.w / mean.rates).norm() > kMostBias) {
+      found.push_back({Severity::kWarning, "body.not-still",
+                       "\"" + model.boards[b].name + "\" moved in the first second: its gyroscope's bias is not known",
+                       "begin with a second of standing still", model.boards[b].name, begin});
+      continue;
+    }
+    state.gyroscope_bias[b] = mean.w / mean.rates;
+    for (int i = 0; i < 3; ++i) {
+      filter.mutable_covariance().set_variance(filter.layout().gyroscope_bias[b] + i,
+                                               kBiasLeft * kBiasLeft + mean.spread() * mean.spread() / mean.rates);
+    }
+  }
+  filter.set_state(state);
   return found;
 }
 

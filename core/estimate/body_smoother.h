@@ -6,7 +6,6 @@
 /// between snapshots are filtered again, from the last to the first, while their updates are kept.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "base/progress.h"
@@ -26,13 +25,11 @@ struct BodyTrack {
 
 struct BodyRun {
   BodyTrack track;
+  Diagnostics diagnostics;
   BodyState last;  ///< The filter's mind at the end.
   double log_likelihood = 0.0;
   std::vector<ReadingCount> gyroscopes, accelerometers, ranges;
 };
-
-/// Called before a run: turns and places what is known of the start.
-using BodyStart = std::function<void(BodyFilter&)>;
 
 /// Poses at every instant with inertial readings (all instants where there are none), at most `rate_hz` of them.
 Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& parameters,
@@ -42,9 +39,9 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
                             const BodyReadings& readings, double rate_hz, const Progress& progress,
                             double stretch_s = 1.5);
 
-/// Starts the filter from the readings: the root from its path or from gravity, everything else at rest. What the
-/// boards felt while all were still (the first second or so) refines pose and mountings, iterated until gravity agrees,
-/// and starts the gyroscopes' biases (Vlasic et al. 2007, §5.4). Returns what was found: which boards moved.
+/// Starts the filter from the readings: the root from its path or from gravity, everything else at rest; gyroscopes
+/// that stand still in the first second tell their bias (Vlasic et al. 2007, §5.4). Pose and mountings are left to the
+/// filter, whose first updates in rest do what the paper's gradient descent does. Returns which boards moved.
 Diagnostics start_from_rest(BodyFilter& filter, const BodyReadings& readings);
 
 }  // namespace limbwave::estimate

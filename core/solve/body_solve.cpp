@@ -38,8 +38,8 @@ Result<std::vector<estimate::RootReading>> root_of_truth(const take::Take& take)
     for (std::size_t i = 0; i < q.size() && i < p.size(); ++i) {
       if (!q[i].is_null() && !p[i].is_null()) {
         path.push_back({static_cast<double>(i) / rate,
-                        Eigen::Quaterniond(q[i].at(0).get<double>(), q[i].at(1).get<double>(),
-                                           q[i].at(2).get<double>(), q[i].at(3).get<double>())
+                        Eigen::Quaterniond(q[i].at(0).get<double>(), q[i].at(1).get<double>(), q[i].at(2).get<double>(),
+                                           q[i].at(3).get<double>())
                             .normalized(),
                         Eigen::Vector3d(p[i].at(0).get<double>(), p[i].at(1).get<double>(), p[i].at(2).get<double>())});
       }
@@ -86,8 +86,15 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
   if (model.skeleton.segments.size() == 1) {
     // A single thing in somebody's hand: where its sensor sits on it is all that is known, and it stays in reach.
     p.mount_rotation = p.mount_place = p.bone_scale = 0.0;
-    p.root_speed = 1.0;
-    p.root_reach = 0.5;
+    p.root_speed = 0.3;
+    p.root_reach = 0.15;
+    p.acceleration_walk = 20000.0;
+    p.root_acceleration_walk = 300.0;
+    p.gyroscope_noise = 0.005;
+    p.gyroscope_bias = 0.01;
+    p.accelerometer_noise = 0.05;
+    p.accelerometer_bias_walk = 1e-4;
+    p.gate_probability = 0.0;  // there is nothing that could contradict it
   }
   return p;
 }
@@ -103,7 +110,13 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
     }
     readings.root = *std::move(path);
   }
-  const estimate::BodyFilterParameters parameters = body_parameters(model, settings);
+  estimate::BodyFilterParameters parameters = body_parameters(model, settings);
+  if (model.boards.size() == 1 && readings.inertial.size() > 100) {
+    // As in strapdown integration, a reading is the mean over the interval that ends with it.
+    const auto& inertial = readings.inertial;
+    parameters.reading_delay_s =
+        0.5 * (inertial.back().time_s - inertial.front().time_s) / static_cast<double>(inertial.size() - 1);
+  }
   Result<estimate::BodyRun> run = settings.smooth
                                       ? estimate::smooth_body(model, parameters, readings, settings.rate_hz, progress)
                                       : estimate::filter_body(model, parameters, readings, settings.rate_hz, progress);
@@ -130,6 +143,7 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   }
   clip.root_position.times = track.times;
   clip.root_position.values = track.root_p_W;
+  solve.report.diagnostics = run->diagnostics;
   for (std::size_t b = 0; b < model.boards.size(); ++b) {
     report_counts("gyroscope", model.boards[b].name, run->gyroscopes[b], solve.report.diagnostics);
     report_counts("accelerometer", model.boards[b].name, run->accelerometers[b], solve.report.diagnostics);
