@@ -116,12 +116,11 @@ def table(found):
         "#pragma once",
         "",
         "#include <QtGlobal>",
-        "#include <array>",
         "",
         "// clang-format off",
         "namespace limbwave::ui {",
         "",
-        "inline constexpr std::array kCoreTexts{",
+        "inline constexpr const char* kCoreTexts[] = {",
     ]
     folder = ""
     for text, home in found.items():

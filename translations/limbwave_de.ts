@@ -723,20 +723,12 @@
         <translation>steht nicht senkrecht auf der ersten Pose</translation>
     </message>
     <message>
-        <source>is &quot;%1&quot;, which another accelerometer has already</source>
-        <translation>ist „%1“, so heißt schon ein anderer Beschleunigungssensor</translation>
-    </message>
-    <message>
         <source>has %1 entries, but %2 slots carry %3 sensors</source>
         <translation>hat %1 Einträge, aber %2 Zeitfächer tragen %3 Sensoren</translation>
     </message>
     <message>
         <source>is &quot;%1&quot;, which is no segment of skeleton &quot;%2&quot;</source>
         <translation>ist „%1“, das ist kein Segment des Skeletts „%2“</translation>
-    </message>
-    <message>
-        <source>%1: /accelerometers/%2/segment</source>
-        <translation>%1: /accelerometers/%2/segment</translation>
     </message>
     <message>
         <source>name one of its segments</source>
@@ -1790,6 +1782,74 @@
         <source>the take&apos;s own %1 calibration is poor: %2</source>
         <translation>die eigene %1-Kalibrierung des Takes ist schlecht: %2</translation>
     </message>
+    <message>
+        <source>the mounting poses were up to %1° from perpendicular: %2</source>
+        <translation>die Haltungen für die Befestigung waren bis zu %1° vom rechten Winkel entfernt: %2</translation>
+    </message>
+    <message>
+        <source>hold the poses more exactly to make it better</source>
+        <translation>die Haltungen genauer einnehmen, dann wird es besser</translation>
+    </message>
+    <message>
+        <source>is more than 10 m off</source>
+        <translation>liegt mehr als 10 m entfernt</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which another %2 has already</source>
+        <translation>ist „%1“, was schon ein anderer Eintrag hat (%2)</translation>
+    </message>
+    <message>
+        <source>has a pulse_hz of %1, too close to half the sample rate</source>
+        <translation>hat pulse_hz %1, zu nah an der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>use a rate_hz of at least 2.5 times pulse_hz</source>
+        <translation>rate_hz mindestens auf das 2,5-Fache von pulse_hz setzen</translation>
+    </message>
+    <message>
+        <source>has pulses longer than half a slot</source>
+        <translation>hat Pulse, die länger als ein halber Zeitschlitz sind</translation>
+    </message>
+    <message>
+        <source>use fewer pulse_cycles or more slot_samples</source>
+        <translation>weniger pulse_cycles oder mehr slot_samples verwenden</translation>
+    </message>
+    <message>
+        <source>has %1 entries, but %2 microphones have a wire each</source>
+        <translation>hat %1 Einträge, aber %2 Mikrofone haben je eine Leitung</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, but the microphone of this wire is &quot;%2&quot;</source>
+        <translation>ist „%1“, aber das Mikrofon dieser Leitung ist „%2“</translation>
+    </message>
+    <message>
+        <source>%1: /%2/%3/segment</source>
+        <translation>%1: /%2/%3/segment</translation>
+    </message>
+    <message>
+        <source>stands beside line_in</source>
+        <translation>steht neben line_in</translation>
+    </message>
+    <message>
+        <source>a rig has one or the other</source>
+        <translation>ein Rig hat das eine oder das andere</translation>
+    </message>
+    <message>
+        <source>has %1 entries</source>
+        <translation>hat %1 Einträge</translation>
+    </message>
+    <message>
+        <source>a driver box has 1 to 64 wires</source>
+        <translation>eine Treiberbox hat 1 bis 64 Leitungen</translation>
+    </message>
+    <message>
+        <source>a driver box has up to 64 sources</source>
+        <translation>eine Treiberbox hat bis zu 64 Quellen</translation>
+    </message>
+    <message>
+        <source>lies more than 10 m off</source>
+        <translation>liegt mehr als 10 m entfernt</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -2253,6 +2313,18 @@
         <source>Every sensor was heard, but: %1</source>
         <translation>Jeder Sensor war zu hören, aber: %1</translation>
     </message>
+    <message>
+        <source>Usable: every sensor was heard, but: %1</source>
+        <translation>Brauchbar: jeder Sensor war zu hören, aber: %1</translation>
+    </message>
+    <message>
+        <source>Every sensor was heard, but the figure is off by %1.</source>
+        <translation>Jeder Sensor war zu hören, aber die Figur liegt daneben: %1.</translation>
+    </message>
+    <message>
+        <source>Fast movement does that: try another smoothing, and check the mounting.</source>
+        <translation>Das kommt von schneller Bewegung: Versuchen Sie eine andere Glättung und prüfen Sie die Befestigung.</translation>
+    </message>
 </context>
 <context>
     <name>SolveEntries</name>
@@ -2361,16 +2433,8 @@
         <translation>Entf</translation>
     </message>
     <message>
-        <source>Delete the selected keys</source>
-        <translation>Die gewählten Schlüssel löschen</translation>
-    </message>
-    <message>
         <source>Alt+Left / Alt+Right</source>
         <translation>Alt+Links / Alt+Rechts</translation>
-    </message>
-    <message>
-        <source>Move the selected keys by a frame</source>
-        <translation>Die gewählten Schlüssel um ein Bild verschieben</translation>
     </message>
     <message>
         <source>Alt+Up / Alt+Down</source>
@@ -2379,6 +2443,22 @@
     <message>
         <source>Turn the selected keys by 1°; with Shift by 0.1°</source>
         <translation>Die gewählten Schlüssel um 1° drehen; mit Umschalt um 0,1°</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys or the selected marker</source>
+        <translation>Die gewählten Schlüssel oder die gewählte Marke löschen</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Rename the selected marker</source>
+        <translation>Die gewählte Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Move the selected keys or the selected marker by a frame</source>
+        <translation>Die gewählten Schlüssel oder die gewählte Marke um ein Bild verschieben</translation>
     </message>
 </context>
 <context>
@@ -2390,6 +2470,10 @@
     <message>
         <source>Keys of the bones appear here once a take is solved.</source>
         <translation>Die Schlüssel der Knochen erscheinen hier, sobald ein Take berechnet ist.</translation>
+    </message>
+    <message>
+        <source>Live: what you turn now becomes keys here once it is recorded.</source>
+        <translation>Live: Was Sie jetzt drehen, wird hier zu Schlüsseln, sobald es aufgenommen ist.</translation>
     </message>
 </context>
 <context>
@@ -2556,6 +2640,18 @@
         <source>Choose a device, check levels, record</source>
         <translation>Gerät wählen, Pegel prüfen, aufnehmen</translation>
     </message>
+    <message>
+        <source>Record, or stop recording</source>
+        <translation>Aufnehmen oder Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Record after a countdown of %1 s</source>
+        <translation>Nach einem Countdown von %1 s aufnehmen</translation>
+    </message>
+    <message>
+        <source>Set a marker: in the recording, else at the playhead</source>
+        <translation>Marke setzen: in der Aufnahme, sonst an der Abspielmarke</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::BoardDialog</name>
@@ -2689,6 +2785,30 @@
     <message>
         <source>%1    %2°</source>
         <translation>%1    %2°</translation>
+    </message>
+    <message>
+        <source>Back to 0°</source>
+        <translation>Zurück auf 0°</translation>
+    </message>
+    <message>
+        <source>Takes the rotation of this bone away</source>
+        <translation>Nimmt die Drehung dieses Knochens weg</translation>
+    </message>
+    <message>
+        <source>Lengths are edited in a take</source>
+        <translation>Längen werden in einem Take geändert</translation>
+    </message>
+    <message>
+        <source>Turns the live figure</source>
+        <translation>Dreht die Live-Figur</translation>
+    </message>
+    <message>
+        <source>About the vertical, which gravity cannot tell. It holds from now on and becomes a key of the take that is being recorded.</source>
+        <translation>Um die Senkrechte, was die Schwerkraft nicht verrät. Es gilt ab jetzt und wird ein Schlüssel des Takes, der gerade aufgenommen wird.</translation>
+    </message>
+    <message>
+        <source>About the vertical, which gravity cannot tell. It holds from now on, for the next take too.</source>
+        <translation>Um die Senkrechte, was die Schwerkraft nicht verrät. Es gilt ab jetzt, auch für den nächsten Take.</translation>
     </message>
 </context>
 <context>
@@ -3012,6 +3132,18 @@
         <source>name of the take</source>
         <translation>Name des Takes</translation>
     </message>
+    <message>
+        <source>Reading the rig</source>
+        <translation>Rig wird gelesen</translation>
+    </message>
+    <message>
+        <source>The countdown ended without recording.</source>
+        <translation>Der Countdown endete ohne Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Look at the device and at the name of the take, then begin again.</source>
+        <translation>Sehen Sie nach dem Gerät und dem Namen des Takes und beginnen Sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CaptureWorkspace</name>
@@ -3022,14 +3154,6 @@
     <message>
         <source>Use the simulator</source>
         <translation>Simulator benutzen</translation>
-    </message>
-    <message>
-        <source>Record, or stop recording</source>
-        <translation>Aufnehmen oder Aufnahme beenden</translation>
-    </message>
-    <message>
-        <source>Set a marker</source>
-        <translation>Marke setzen</translation>
     </message>
     <message>
         <source>Look for devices again</source>
@@ -3113,6 +3237,10 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Neigung</translation>
     </message>
 </context>
 <context>
@@ -3771,6 +3899,13 @@
     </message>
 </context>
 <context>
+    <name>limbwave::ui::LiveHeadings</name>
+    <message>
+        <source>turn %1 live</source>
+        <translation>%1 live drehen</translation>
+    </message>
+</context>
+<context>
     <name>limbwave::ui::LiveModel</name>
     <message>
         <source>Opening %1</source>
@@ -4388,6 +4523,48 @@
     </message>
 </context>
 <context>
+    <name>limbwave::ui::RecordBanner</name>
+    <message>
+        <source>Set marker (M)</source>
+        <translation>Marke setzen (M)</translation>
+    </message>
+    <message>
+        <source>Recorded time</source>
+        <translation>Aufgenommene Zeit</translation>
+    </message>
+    <message>
+        <source>Stop (R)</source>
+        <translation>Anhalten (R)</translation>
+    </message>
+    <message>
+        <source>Cancel (R)</source>
+        <translation>Abbrechen (R)</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording begins in %n second(s)</source>
+        <translation>
+            <numerusform>Die Aufnahme beginnt in %n Sekunde</numerusform>
+            <numerusform>Die Aufnahme beginnt in %n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Closing the take</source>
+        <translation>Take wird abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Recording, but samples are being lost</source>
+        <translation>Aufnahme läuft, aber es gehen Werte verloren</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufnahme: %1</translation>
+    </message>
+</context>
+<context>
     <name>limbwave::ui::RecordPanel</name>
     <message>
         <source>Recorded time</source>
@@ -4488,6 +4665,33 @@
     <message>
         <source>%1 &lt;a href=&quot;calibrate&quot;&gt;Calibrate&lt;/a&gt;</source>
         <translation>%1 &lt;a href=&quot;calibrate&quot;&gt;Kalibrieren&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>Record in %1 s</source>
+        <translation>In %1 s aufnehmen</translation>
+    </message>
+    <message>
+        <source>Counts down aloud before it records, for people alone in the suit (Shift+R)</source>
+        <translation>Zählt hörbar herunter, bevor es aufnimmt, für alle, die allein im Anzug stecken (Umschalt+R)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel the countdown</source>
+        <translation>Countdown abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording begins in %n second(s)</source>
+        <translation>
+            <numerusform>Die Aufnahme beginnt in %n Sekunde</numerusform>
+            <numerusform>Die Aufnahme beginnt in %n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>disk: –</source>
+        <translation>Platte: –</translation>
     </message>
 </context>
 <context>
@@ -4907,6 +5111,14 @@
         <source>Space stops it. Drag in the timeline to look at a moment, drag in the picture to look from elsewhere.</source>
         <translation>Die Leertaste hält sie an. Ziehen Sie in der Zeitleiste, um einen Moment anzusehen, und im Bild, um von anderswo zu schauen.</translation>
     </message>
+    <message>
+        <source>Off the truth by %1.</source>
+        <translation>Abweichung von der Wahrheit: %1.</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::SourceBar</name>
@@ -5312,6 +5524,34 @@
         <source>Events</source>
         <translation>Ereignisse</translation>
     </message>
+    <message>
+        <source>Double-click sets a marker</source>
+        <translation>Doppelklick setzt eine Marke</translation>
+    </message>
+    <message>
+        <source>Name of the marker</source>
+        <translation>Name der Marke</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Die gewählten Schlüssel löschen</translation>
+    </message>
+    <message>
+        <source>Rename the marker</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the marker</source>
+        <translation>Marke löschen</translation>
+    </message>
+    <message>
+        <source>Set a marker here</source>
+        <translation>Hier eine Marke setzen</translation>
+    </message>
+    <message>
+        <source>Set a key here</source>
+        <translation>Hier einen Schlüssel setzen</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::TimelineWidget</name>
@@ -5380,10 +5620,6 @@
         <translation>I</translation>
     </message>
     <message>
-        <source>Delete the selected keys</source>
-        <translation>Die gewählten Schlüssel löschen</translation>
-    </message>
-    <message>
         <source>Del</source>
         <translation>Entf</translation>
     </message>
@@ -5414,6 +5650,14 @@
     <message>
         <source>nothing to play yet</source>
         <translation>noch nichts abzuspielen</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys or the selected marker</source>
+        <translation>Die gewählten Schlüssel oder die gewählte Marke löschen</translation>
+    </message>
+    <message>
+        <source>%1   Space plays</source>
+        <translation>%1   Leertaste spielt ab</translation>
     </message>
 </context>
 <context>

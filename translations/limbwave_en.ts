@@ -35,4 +35,24 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>limbwave::ui::RecordBanner</name>
+    <message numerus="yes">
+        <source>Recording begins in %n second(s)</source>
+        <translation>
+            <numerusform>Recording begins in %n second</numerusform>
+            <numerusform>Recording begins in %n seconds</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::RecordPanel</name>
+    <message numerus="yes">
+        <source>Recording begins in %n second(s)</source>
+        <translation>
+            <numerusform>Recording begins in %n second</numerusform>
+            <numerusform>Recording begins in %n seconds</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

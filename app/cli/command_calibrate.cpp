@@ -62,11 +62,21 @@ void store(take::Take& take, const calibrate::RigCalibration& calibration, const
   }
 }
 
+// Half a stretch would silently be none.
+void check_times(const std::string& take, double from, double to, const char* options, Console& console) {
+  const bool given = from >= 0.0 || to >= 0.0;
+  if (given && (from < 0.0 || to <= from)) {
+    console.fail({"is no stretch of time: give its start and a later end", std::string(options),
+                  "limbwave info " + take + " shows how long the take is"});
+  }
+}
+
 calibrate::RigCalibration present_calibration(const take::Take& take) {
   return take.info.calibration ? *take.info.calibration : calibrate::nominal_calibration(take.info.rig);
 }
 
 void calibrate_range(const Options& options, bool as_json, Console& console) {
+  check_times(options.take, options.from, options.to, "--from, --to", console);
   take::Take take = console.check(take::open_take(options.take));
   const std::vector<int> sensors = wanted_sensors(take.info.rig, options.sensor, console);
   const solve::DecodedTake decoded = console.check(solve::decode_take(take, {}, console.progress()));
@@ -104,9 +114,7 @@ void calibrate_range(const Options& options, bool as_json, Console& console) {
                       {"coverage", range.calibration.coverage},
                       {"diagnostics", diagnostics_to_json(range.diagnostics)}});
     if (!as_json) {
-      console.print(fmt::format("{:<12} {}: {}; residual by extremes {:.4f} g, by ellipsoid {:.4f} g, sphere {:.0f} %",
-                                name, calibrate::name(range.verdict), range.text, range.extremes.residual_g,
-                                range.ellipsoid.residual_g, 100.0 * range.calibration.coverage));
+      console.print(fmt::format("{:<12} {}", name, range.text));
       console.print(range.diagnostics);
     }
   }
@@ -122,9 +130,37 @@ void calibrate_range(const Options& options, bool as_json, Console& console) {
   }
 }
 
+void check_limb_options(const Options& options, Console& console) {
+  check_times(options.take, options.from, options.to, "--from, --to", console);
+  check_times(options.take, options.second_from, options.second_to, "--second-from, --second-to", console);
+  if ((options.from >= 0.0) != (options.second_from >= 0.0)) {
+    console.fail({"one pose has its time, the other has not", "--from, --second-from", "give both, or neither"});
+  }
+}
+
+// The times of one group's poses are not those of another.
+void check_groups(const Options& options, const body::Rig& rig, Console& console) {
+  std::string names;
+  for (const body::CalibrationGroup& group : rig.groups) {
+    names += (names.empty() ? "\"" : ", \"") + group.name + "\"";
+  }
+  if (options.from >= 0.0 && options.group.empty() && options.sensor.empty() && rig.groups.size() > 1) {
+    console.fail({"whose poses are these?", "--from", "say it with --group: " + names});
+  }
+  const bool known = options.group.empty() || std::any_of(rig.groups.begin(), rig.groups.end(), [&](const auto& group) {
+                       return group.name == options.group;
+                     });
+  if (!known) {
+    console.fail({"is no calibration group of this take", "\"" + options.group + "\"", "it has " + names});
+  }
+}
+
 void calibrate_limb(const Options& options, bool as_json, Console& console) {
+  check_limb_options(options, console);
   take::Take take = console.check(take::open_take(options.take));
   const body::Rig& rig = take.info.rig;
+  check_groups(options, rig, console);
+  (void)wanted_sensors(rig, options.sensor, console);  // before the work of decoding
   const solve::DecodedTake decoded = console.check(solve::decode_take(take, {}, console.progress()));
   calibrate::RigCalibration calibration = present_calibration(take);
   if (!solve::is_measured(calibration)) {
@@ -134,6 +170,7 @@ void calibrate_limb(const Options& options, bool as_json, Console& console) {
   nlohmann::json report = nlohmann::json::array();
   bool failed = false;
   bool any = false;
+  bool changed = false;
   for (std::size_t g = 0; g < rig.groups.size(); ++g) {
     const body::CalibrationGroup& group = rig.groups[g];
     if (!options.group.empty() && group.name != options.group) {
@@ -171,6 +208,7 @@ void calibrate_limb(const Options& options, bool as_json, Console& console) {
       failed = failed || !accepted;
       if (accepted && sensor.mount.method != "nominal") {
         calibration.mounts[s] = sensor.mount;
+        changed = true;
       }
       report.push_back({{"group", group.name},
                         {"sensor", rig.accelerometers[s].name},
@@ -180,9 +218,7 @@ void calibrate_limb(const Options& options, bool as_json, Console& console) {
                         {"movement_g", sensor.movement_g},
                         {"from_nominal_deg", sensor.from_nominal_deg}});
       if (!as_json) {
-        console.print(fmt::format("{:<12} {}: {}; poses {:.1f}° apart, movement {:.3f} g", rig.accelerometers[s].name,
-                                  calibrate::name(sensor.verdict), sensor.text, sensor.mount.pose_angle_deg,
-                                  sensor.movement_g));
+        console.print(fmt::format("{:<12} {}", rig.accelerometers[s].name, sensor.text));
       }
     }
     if (!as_json) {
@@ -190,10 +226,12 @@ void calibrate_limb(const Options& options, bool as_json, Console& console) {
     }
   }
   if (!any) {
-    console.fail({"is no calibration group of this take", "\"" + options.group + options.sensor + "\"",
-                  "limbwave info TAKE lists the rig"});
+    console.fail({"is not in that calibration group", "\"" + options.sensor + "\"",
+                  "limbwave info " + options.take + " lists them"});
   }
-  store(take, calibration, options, console);
+  if (changed) {
+    store(take, calibration, options, console);
+  }
   if (as_json) {
     console.print_json({{"procedure", "limb"}, {"sensors", report}}, options.json);
   }

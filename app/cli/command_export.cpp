@@ -25,7 +25,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> inputs;
-  std::string output, solve = "default", preset = "plain", unit, root, mesh, json;
+  std::string output, solve = "default", clip, preset = "plain", unit, root, mesh, json;
   double fps = 0.0, from = 0.0, to = -1.0, key_tolerance_deg = 0.0;
   bool no_mesh = false, no_rest_frame = false;
 };
@@ -38,14 +38,26 @@ std::string extension_of(const std::filesystem::path& path) {
   return extension;
 }
 
-motion::Clip first_of(std::vector<motion::Clip> clips, const std::string& input, Console& console) {
-  if (clips.size() > 1) {
-    console.print(fmt::format("{}: the first of {} movements is taken", input, clips.size()));
+// The movement that is wanted: by number from 1 on or by name, empty: the first.
+motion::Clip choose(std::vector<motion::Clip> clips, const std::string& wanted, const std::string& input,
+                    Console& console) {
+  if (clips.size() > 1 && wanted.empty()) {
+    console.print(fmt::format("{}: the first of {} movements is taken, \"{}\"; --clip chooses another", input,
+                              clips.size(), clips.front().name));
   }
-  return std::move(clips.front());
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (wanted.empty() || wanted == clips[i].name || wanted == std::to_string(i + 1)) {
+      return std::move(clips[i]);
+    }
+    names.push_back(fmt::format("{} \"{}\"", i + 1, clips[i].name));
+  }
+  console.fail(
+      {fmt::format("has no movement \"{}\"", wanted), input, fmt::format("choose one of {}", fmt::join(names, ", "))});
 }
 
-motion::Clip load_clip(const std::string& input, const std::string& solve, Console& console) {
+motion::Clip load_clip(const std::string& input, const std::string& solve, const std::string& wanted,
+                       Console& console) {
   const std::filesystem::path path(input);
   const std::string extension = extension_of(path);
   if (std::filesystem::is_directory(path)) {
@@ -65,10 +77,10 @@ motion::Clip load_clip(const std::string& input, const std::string& solve, Conso
     Diagnostics findings;
     std::vector<motion::Clip> clips = console.check(interchange::load_gltf(path, &findings));
     console.print(findings);
-    return first_of(std::move(clips), input, console);
+    return choose(std::move(clips), wanted, input, console);
   }
   if (extension == ".fbx") {
-    return first_of(console.check(interchange::load_fbx(path)), input, console);
+    return choose(console.check(interchange::load_fbx(path)), wanted, input, console);
   }
   console.fail({"is neither a take nor an animation that can be read", input,
                 "name a take's folder, a .bvh, .glb, .gltf, .vrm or .fbx"});
@@ -109,7 +121,7 @@ interchange::ExportOptions read_options(const Options& options, Console& console
 void run(const Options& options, bool as_json, Console& console) {
   std::vector<motion::Clip> clips;
   for (const std::string& input : options.inputs) {
-    clips.push_back(load_clip(input, options.solve, console));
+    clips.push_back(load_clip(input, options.solve, options.clip, console));
     if (!options.mesh.empty()) {
       clips.back().meshes = {skin(clips.back(), options.mesh, console)};
     }
@@ -153,6 +165,8 @@ void add_export(CLI::App& app, Console& console) {
   command->add_option("-o,--output", options->output, "File to write: .fbx, .glb, .gltf, .vrm, .bvh or .csv")
       ->required();
   command->add_option("--solve", options->solve, "Name of the solve")->capture_default_str();
+  command->add_option("--clip", options->clip,
+                      "Which movement of an FBX or glTF with several: its name or number; default: the first");
   command
       ->add_option("--preset", options->preset,
                    fmt::format("Program that it is for: {}, or a file", fmt::join(interchange::preset_names(), ", ")))

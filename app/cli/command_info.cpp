@@ -5,10 +5,44 @@
 
 #include "commands.h"
 #include "solve/solve.h"
+#include "solve/take_calibration.h"
 #include "take/take.h"
 
 namespace limbwave::cli {
 namespace {
+
+// A snapshot of nothing but the data sheet's values is none.
+bool is_calibrated(const take::TakeInfo& info) {
+  return info.calibration && solve::is_measured(*info.calibration);
+}
+
+nlohmann::json groups_to_json(const body::Rig& rig) {
+  nlohmann::json groups = nlohmann::json::array();
+  for (const body::CalibrationGroup& group : rig.groups) {
+    nlohmann::json sensors = nlohmann::json::array();
+    for (const int sensor : group.sensors) {
+      sensors.push_back(rig.accelerometers.at(static_cast<std::size_t>(sensor)).name);
+    }
+    groups.push_back({{"name", group.name}, {"sensors", sensors}});
+  }
+  return groups;
+}
+
+// What calibrations ask for: the groups of the rig, their sensors, and how each was calibrated.
+void print_rig(const take::TakeInfo& info, Console& console) {
+  for (const body::CalibrationGroup& group : info.rig.groups) {
+    console.print(fmt::format("group   {:<28} {}, {}", group.name, group.first.name, group.second.name));
+    for (const int sensor : group.sensors) {
+      const auto s = static_cast<std::size_t>(sensor);
+      std::string text = "not calibrated";
+      if (is_calibrated(info)) {
+        text = fmt::format("range {}, mounting {}", info.calibration->sensors.at(s).method,
+                           info.calibration->mounts.at(s).method);
+      }
+      console.print(fmt::format("sensor  {:<28} {}", info.rig.accelerometers.at(s).name, text));
+    }
+  }
+}
 
 void print_info(const take::Take& take, bool as_json, Console& console) {
   const take::TakeInfo& info = take.info;
@@ -39,7 +73,8 @@ void print_info(const take::Take& take, bool as_json, Console& console) {
                         {"type", acquire::name(info.format.type)},
                         {"rig", info.rig.name},
                         {"skeleton", info.skeleton.name},
-                        {"calibrated", info.calibration.has_value()},
+                        {"calibrated", is_calibrated(info)},
+                        {"groups", groups_to_json(info.rig)},
                         {"segments", segments},
                         {"events", events},
                         {"solves", solve::list_solves(take)},
@@ -52,7 +87,8 @@ void print_info(const take::Take& take, bool as_json, Console& console) {
   console.print(fmt::format("recorded {} from {}; subject {}", info.created, info.source,
                             info.subject.empty() ? "not named" : info.subject));
   console.print(fmt::format("rig {}, skeleton {}, {}", info.rig.name, info.skeleton.name,
-                            info.calibration ? "with its calibration" : "no calibration in the take"));
+                            is_calibrated(info) ? "with its calibration" : "no calibration in the take"));
+  print_rig(info, console);
   for (const take::TakeSegment& segment : info.segments) {
     console.print(fmt::format("segment {:<28} {:8.2f} s  {:8.2f} s long", segment.name,
                               info.format.rate.seconds(segment.first).value,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -37,6 +38,7 @@ std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console
     settings.rig = options.rig;
     settings.errors_name = options.errors;
     settings.errors = console.check(simulate::load_errors(options.errors));
+    settings.prologue = false;  // like a device: what it shows begins at once
     settings.format = format;
     return console.check(simulate::open_simulator(settings));
   }
@@ -54,16 +56,26 @@ void record(const Options& options, bool as_json, Console& console) {
   const solve::RecordingCalibration calibration = solve::calibration_for_recording(settings.rig, options.subject);
   settings.calibration = calibration.calibration;
   solve::LiveSession session(open_source(options, console), settings);
+  // Before the device, so that its first sample is the take's.
   console.check(session.start_recording(options.take, options.subject));
-  console.check(session.start());
+  if (const Status started = session.start(); !started) {
+    (void)session.stop_recording();
+    std::error_code ignored;
+    std::filesystem::remove_all(options.take, ignored);  // made just now, and empty
+    console.check(started);
+  }
   const Progress progress = console.progress();
   Diagnostics shown;
   while (!Console::interrupted()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     const auto now = session.snapshot();
-    (void)progress.report(options.seconds > 0.0 ? now->recorded_s / options.seconds : 0.0,
-                          fmt::format("{:.1f} s, disk lasts {:.0f} min, {}", now->recorded_s, now->disk_left_s / 60.0,
-                                      now->line.locked ? "in sync" : "no sync yet"));
+    const std::string what = fmt::format("{:.1f} s, disk lasts {:.0f} min, {}", now->recorded_s,
+                                         now->disk_left_s / 60.0, now->line.locked ? "in sync" : "no sync yet");
+    if (options.seconds > 0.0) {
+      (void)progress.report(now->recorded_s / options.seconds, what);
+    } else {
+      console.status("recording " + what + "; Ctrl-C stops");
+    }
     if (!now->recording_error.empty() || !now->source_alive ||
         (options.seconds > 0.0 && now->recorded_s >= options.seconds)) {
       break;

@@ -50,6 +50,14 @@ Progress Console::progress() {
   });
 }
 
+void Console::status(std::string_view what) {
+  if (::isatty(STDERR_FILENO) != 0) {
+    fmt::print(stderr, "\r\033[K{}", what);
+    std::fflush(stderr);
+    bar_shown_ = true;
+  }
+}
+
 void Console::end_progress() {
   if (bar_shown_) {
     fmt::print(stderr, "\r\033[K");

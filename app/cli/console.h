@@ -21,6 +21,8 @@ class Console {
  public:
   /// A progress bar on standard error when that is a terminal; Ctrl-C cancels the work.
   [[nodiscard]] Progress progress();
+  /// What is happening, in place of a bar, for work whose end is not known; on standard error when that is a terminal.
+  void status(std::string_view what);
   /// Removes the progress bar before other output.
   void end_progress();
   /// One line on standard output.

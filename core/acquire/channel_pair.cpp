@@ -24,6 +24,7 @@ class ChannelPair : public LiveSource {
   Status start() override { return source_->start(); }
   void stop() override { source_->stop(); }
   std::size_t pull(std::span<std::byte> out) override;
+  void wait(double timeout_s) override { source_->wait(timeout_s); }
   [[nodiscard]] SourceCounters counters() const override { return source_->counters(); }
   [[nodiscard]] bool alive() const override { return source_->alive(); }
   [[nodiscard]] double device_latency_s() const override { return source_->device_latency_s(); }

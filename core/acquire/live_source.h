@@ -30,6 +30,8 @@ struct DeviceInfo {
 struct SourceCounters {
   std::uint64_t overflows = 0;       ///< Times that the device or our ring lost samples.
   std::uint64_t dropped_frames = 0;  ///< Frames known to be lost in our ring.
+  /// Where the newest loss is: so many of the frames that can be pulled since the start come before it.
+  std::int64_t lost_at = 0;
 };
 
 /// A running source. Frames wait in a ring; one consumer thread pulls them.

@@ -193,7 +193,12 @@ class SoundCard : public LiveSource {
   }
   void wait(double timeout_s) override { (void)arrived_.wait_for(std::chrono::duration<double>(timeout_s)); }
   [[nodiscard]] SourceCounters counters() const override {
-    return {overflows_.load(std::memory_order_relaxed), dropped_frames_.load(std::memory_order_relaxed)};
+    // The place last: it is never before the losses that are counted here.
+    SourceCounters counters;
+    counters.overflows = overflows_.load(std::memory_order_acquire);
+    counters.dropped_frames = dropped_frames_.load(std::memory_order_acquire);
+    counters.lost_at = lost_at_.load(std::memory_order_relaxed);
+    return counters;
   }
   [[nodiscard]] bool alive() const override {
     return !running_ || (!finished_.load(std::memory_order_acquire) &&
@@ -207,6 +212,12 @@ class SoundCard : public LiveSource {
  private:
   static int callback(const void* input, void* output, unsigned long frames, const PaStreamCallbackTimeInfo* time,
                       PaStreamCallbackFlags flags, void* self);
+  // Samples are missing behind what has been written; `frames` is 0 where the device does not say how many.
+  void lost(std::uint64_t frames) {
+    lost_at_.store(written_, std::memory_order_relaxed);
+    dropped_frames_.fetch_add(frames, std::memory_order_release);
+    overflows_.fetch_add(1, std::memory_order_release);
+  }
   static void finished(void* self) { static_cast<SoundCard*>(self)->finished_.store(true, std::memory_order_release); }
 
   std::unique_ptr<PortAudio> portaudio_;
@@ -218,6 +229,8 @@ class SoundCard : public LiveSource {
   // Written by the callback alone.
   std::atomic<std::uint64_t> overflows_{0};
   std::atomic<std::uint64_t> dropped_frames_{0};
+  std::atomic<std::int64_t> lost_at_{0};
+  std::int64_t written_ = 0;  // frames in the ring so far
   std::atomic<double> newest_s_{0.0};
   std::atomic<double> latency_s_{0.0};
   std::atomic<bool> has_frames_{false};
@@ -230,7 +243,7 @@ int SoundCard::callback(const void* input, void* /*output*/, unsigned long frame
                         PaStreamCallbackFlags flags, void* self_pointer) {
   auto& self = *static_cast<SoundCard*>(self_pointer);
   if ((flags & paInputOverflow) != 0) {
-    self.overflows_.fetch_add(1, std::memory_order_relaxed);
+    self.lost(0);
   }
   if (input == nullptr || frames == 0) {
     return paContinue;
@@ -238,9 +251,10 @@ int SoundCard::callback(const void* input, void* /*output*/, unsigned long frame
   // Before the frames are there for the other side: what it has pulled is then never newer than this.
   self.newest_s_.store(now_s(), std::memory_order_relaxed);
   const std::span bytes(static_cast<const std::byte*>(input), frames * self.format_.bytes_per_frame());
-  if (!self.ring_.write(bytes)) {
-    self.overflows_.fetch_add(1, std::memory_order_relaxed);
-    self.dropped_frames_.fetch_add(frames, std::memory_order_relaxed);
+  if (self.ring_.write(bytes)) {
+    self.written_ += static_cast<std::int64_t>(frames);
+  } else {
+    self.lost(frames);
   }
   const double delay = time->currentTime - time->inputBufferAdcTime;
   if (delay > 0.0 && delay < 10.0) {

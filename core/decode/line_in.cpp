@@ -311,15 +311,6 @@ void LineInDecoder::push(std::span<const float> interleaved) {
   impl_->push(interleaved);
 }
 
-void LineInDecoder::gap(SampleCount count) {
-  if (count.value <= 0) {
-    return;
-  }
-  impl_->end_hole();
-  impl_->end_stretch();
-  impl_->start_stretch(impl_->history.position() + count.value);
-}
-
 void LineInDecoder::finish() {
   impl_->end_hole();
   impl_->end_stretch();

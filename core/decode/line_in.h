@@ -80,8 +80,6 @@ class LineInDecoder {
 
   /// Appends interleaved stereo samples. Non-finite samples count as loss of signal there.
   void push(std::span<const float> interleaved);
-  /// Tells that `count` frames are missing here: the clock of the take goes on, sync is found again.
-  void gap(SampleCount count);
   /// No more samples: decodes what is still waiting, and sums findings up.
   void finish();
 

@@ -30,7 +30,7 @@ std::vector<std::string> make_roles() {
     }
     for (const std::string finger : {"Index", "Middle", "Ring", "Little"}) {
       for (const std::string part : {"Proximal", "Intermediate", "Distal"}) {
-        roles.push_back(side + finger + part);
+        roles.push_back(std::string(side).append(finger).append(part));
       }
     }
   }
@@ -53,7 +53,9 @@ std::string key_of(std::string_view name) {
 struct Fit {
   std::size_t known = 0;
   std::size_t exact = 0;
-  auto operator<=>(const Fit&) const = default;
+  [[nodiscard]] bool is_better_than(const Fit& other) const {
+    return known != other.known ? known > other.known : exact > other.exact;
+  }
 };
 
 std::vector<std::string> roles_by(const body::Skeleton& skeleton, const BoneMap& map, Fit& fit) {
@@ -83,7 +85,7 @@ const std::vector<std::string>& humanoid_roles() {
 fs::path find_resource(const std::string& folder, const std::string& name_or_path) {
   if (name_or_path.find('/') == std::string::npos && !name_or_path.ends_with(".json")) {
     for (const fs::path& base : {user_data_folder(), resources_folder()}) {
-      const fs::path file = base / folder / (name_or_path + ".json");
+      fs::path file = base / folder / (name_or_path + ".json");
       std::error_code ignored;
       if (fs::exists(file, ignored)) {
         return file;
@@ -156,7 +158,7 @@ std::vector<std::string> roles_of(const body::Skeleton& skeleton, const std::vec
   for (const BoneMap& map : maps) {
     Fit fit;
     std::vector<std::string> roles = roles_by(skeleton, map, fit);
-    if (fit > closest) {
+    if (fit.is_better_than(closest)) {
       closest = fit;
       best = std::move(roles);
     }

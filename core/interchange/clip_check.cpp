@@ -71,4 +71,21 @@ Status check_clip(const motion::Clip& clip) {
   return check(clip.root_position, segments.front().name, clip.name);
 }
 
+Status check_actors(std::span<const motion::Clip* const> clips, const std::string& place) {
+  if (clips.empty()) {
+    return Error{"there is no clip to write", place, "solve a take first, or choose a clip"};
+  }
+  for (const motion::Clip* clip : clips) {
+    if (Status status = check_clip(*clip); !status) {
+      return status;
+    }
+    for (const auto& mesh : clip->meshes) {
+      if (Status status = motion::validate(*mesh, clip->skeleton); !status) {
+        return status;
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace limbwave::interchange

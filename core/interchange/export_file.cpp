@@ -18,6 +18,7 @@
 #include "interchange/read_back.h"
 #include "motion/key_reduction.h"
 #include "motion/mannequin.h"
+#include "motion/transforms.h"
 
 namespace limbwave::interchange {
 namespace {
@@ -62,6 +63,32 @@ Clip resampled_smoothly(Clip clip, double fps) {
   return motion::resampled(clip, fps);
 }
 
+// Blender takes a joint that lies where its parent's bone ends (on its own y, as far away as its children are on
+// average) as connected, and connected joints do not move there. One that does move is put this far beside it at rest.
+constexpr double kLoose = 5e-6;     // m
+constexpr double kTouching = 1e-4;  // m
+
+Clip loosened(Clip clip) {
+  std::vector<body::Segment>& segments = clip.skeleton.segments;
+  std::vector<double> sums(segments.size(), 0.0);
+  std::vector<int> children(segments.size(), 0);
+  for (const body::Segment& segment : segments) {
+    if (segment.parent >= 0) {
+      sums[static_cast<std::size_t>(segment.parent)] += segment.p_PL.norm();
+      ++children[static_cast<std::size_t>(segment.parent)];
+    }
+  }
+  for (std::size_t i = 1; i < segments.size() && i < clip.joints.size(); ++i) {
+    const auto parent = static_cast<std::size_t>(segments[i].parent);
+    // Files' own y is our z (file_axes.h).
+    const Eigen::Vector3d end(0.0, 0.0, sums[parent] / children[parent]);
+    if (!clip.joints[i].position.empty() && (segments[i].p_PL - end).norm() < kTouching) {
+      segments[i].p_PL.x() += kLoose;
+    }
+  }
+  return clip;
+}
+
 std::size_t count_keys(const Clip& clip) {
   std::size_t keys = clip.root_position.times.size();
   for (const motion::JointTracks& joint : clip.joints) {
@@ -74,7 +101,7 @@ std::size_t count_keys(const Clip& clip) {
 Preset adapted(const ExportOptions& options, FileFormat format) {
   Preset preset = options.preset;
   preset.root_motion = options.root_motion.value_or(preset.root_motion);
-  preset.unit = options.unit.value_or(preset.unit);
+  preset.unit = options.unit.value_or(format == FileFormat::kBvh ? preset.bvh_unit : preset.unit);
   preset.rest_frame = preset.rest_frame && options.rest_frame;
   if (!has_bone_frames(format)) {
     // These files have one root and the world's axes in every joint.
@@ -204,14 +231,25 @@ Result<std::vector<Clip>> prepared(std::span<const Clip* const> clips, FileForma
       clip = resampled_smoothly(*std::move(clip), fps);
     }
     clip->frame_rate_hz = fps;
-    if (!options.mesh || !has_bone_frames(format)) {
+    const bool with_mesh = options.mesh && has_bone_frames(format);
+    if (!with_mesh) {
       clip->meshes.clear();
-    } else if (clip->meshes.empty()) {
-      clip->meshes.push_back(motion::mannequin(clip->skeleton));
     }
     clip = arranged(*std::move(clip), preset);
     if (!clip) {
       return clip.error();
+    }
+    if (format == FileFormat::kGlb || format == FileFormat::kGltf || format == FileFormat::kVrm) {
+      // Blender and others do not read the tangents of glTF's curves. (FBX is written densely anyway.)
+      clip = motion::with_straight_pieces(*std::move(clip));
+    }
+    if (format == FileFormat::kFbx) {
+      clip = loosened(*std::move(clip));
+    }
+    // Importers take the pose in which meshes are bound for the skeleton's rest pose.
+    clip = motion::with_meshes_at_rest(*std::move(clip));
+    if (with_mesh && clip->meshes.empty()) {
+      clip->meshes.push_back(motion::mannequin(clip->skeleton, bone_axis(preset)));
     }
     report.keys_before += count_keys(*clip);
     if (options.key_tolerance_rad > 0.0 && has_bone_frames(format)) {

@@ -32,8 +32,8 @@ class FbxCurve {
     std::array<float, 4> data{};
   };
   [[nodiscard]] std::size_t before(std::int64_t ticks) const;
-  [[nodiscard]] double slope(std::size_t key, bool leaving) const;
-  [[nodiscard]] double automatic_slope(std::size_t key) const;
+  [[nodiscard]] double slope(std::size_t i, bool leaving) const;
+  [[nodiscard]] double automatic_slope(std::size_t i) const;
   [[nodiscard]] const Key& key(std::size_t index) const { return keys_.size() == 1 ? keys_.front() : keys_[index]; }
 
   std::vector<std::int64_t> times_;

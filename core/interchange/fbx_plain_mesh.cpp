@@ -166,7 +166,7 @@ class MeshReader {
 };
 
 FbxArray packed(const Affine3d& M) {
-  const Eigen::Matrix4d all = M.matrix();
+  const Eigen::Matrix4d& all = M.matrix();
   return fbx_array(std::span<const double>(all.data(), 16), 0);
 }
 

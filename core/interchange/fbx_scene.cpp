@@ -296,6 +296,7 @@ class SceneReader : private FbxPropertyReader {
     }
     std::ranges::sort(by_offset, {}, [this](std::size_t i) { return order_[i]; });
     std::vector<FbxStack> sorted;
+    sorted.reserve(by_offset.size());
     for (const std::size_t i : by_offset) {
       sorted.push_back(std::move(scene_.stacks[i]));
     }

@@ -69,11 +69,10 @@ class FbxBuilder {
     header_.up = options.up;
     header_.metres_per_unit = options.metres_per_unit;
     times_ = {header_.fps, options.fps > 0.0, 0.0, options.keys};
-    UniqueNames unique;
     for (const motion::Clip* clip : clips) {
       Actor actor{clip, {}, {}, kFbxRoot};
       for (const body::Segment& segment : clip->skeleton.segments) {
-        actor.names.push_back(unique(clean_name(segment.name, "joint")));
+        actor.names.push_back(unique_(clean_name(segment.name, "joint")));
       }
       actors_.push_back(std::move(actor));
       times_.duration_s = std::max(times_.duration_s, clip->duration());
@@ -84,20 +83,18 @@ class FbxBuilder {
   Status write(const Progress& progress) {
     write_fbx_header(out_, scene_, header_);
     out_.begin("Objects");
-    UniqueNames unique_actor;
     for (Actor& actor : actors_) {
       if (actors_.size() > 1) {
         const motion::Clip& clip = *actor.clip;
-        place(actor, unique_actor(clean_name(clip.skeleton.name.empty() ? clip.name : clip.skeleton.name, "actor")));
+        place(actor, unique_(clean_name(clip.skeleton.name.empty() ? clip.name : clip.skeleton.name, "actor")));
       }
       bones(actor);
     }
-    UniqueNames unique;
     for (const Actor& actor : actors_) {
       FbxMeshWriter meshes(out_, scene_, frames_, actor.clip->skeleton, actor.bones);
       meshes.bind_pose(*actor.clip);
       for (const auto& mesh : actor.clip->meshes) {
-        meshes.mesh(*mesh, unique(clean_name(mesh->name, "mesh")));
+        meshes.mesh(*mesh, unique_(clean_name(mesh->name, "mesh")));
       }
     }
     if (Status status = header_.stack.empty() ? Status() : animation(progress); !status) {
@@ -322,6 +319,7 @@ class FbxBuilder {
   FbxHeader header_;
   FbxFrames frames_;
   FbxKeyTimes times_;
+  UniqueNames unique_;  ///< Of bones, actors and meshes: Assimp knows nodes by their names alone.
   std::vector<Actor> actors_;
   int moving_ = 0;
   std::vector<std::int64_t> packed_for_;
@@ -332,18 +330,8 @@ class FbxBuilder {
 
 Status write_fbx(std::span<const motion::Clip* const> clips, const std::filesystem::path& path,
                  const FbxWriteOptions& options, const Progress& progress) {
-  if (clips.empty()) {
-    return Error{"there is no clip to write", path.string(), "solve a take first"};
-  }
-  for (const motion::Clip* clip : clips) {
-    if (Status status = check_clip(*clip); !status) {
-      return status;
-    }
-    for (const auto& mesh : clip->meshes) {
-      if (Status status = motion::validate(*mesh, clip->skeleton); !status) {
-        return status;
-      }
-    }
+  if (Status status = check_actors(clips, path.string()); !status) {
+    return status;
   }
   const double fps = options.fps > 0.0 ? options.fps : clips.front()->frame_rate_hz;
   if (!(fps > 0.0 && fps <= kHighestFrameRate) || !(options.fps >= 0.0)) {

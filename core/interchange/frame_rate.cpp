@@ -46,4 +46,10 @@ double exact_frame_rate(double fps) {
   return fps;
 }
 
+double single_time(double time_s, double fps) {
+  const auto single = static_cast<float>(time_s);
+  const double frame = std::round(time_s * fps) / fps;
+  return static_cast<float>(frame) == single ? frame : static_cast<double>(single);
+}
+
 }  // namespace limbwave::interchange

@@ -20,4 +20,8 @@ double exact_frame_rate(double fps);
 inline constexpr double kHighestFrameRate = 1e5;
 inline constexpr std::size_t kMostNumbers = 1'000'000'000;
 
+/// What a key time means in a file that holds it in 32 bits: the frame that has the same 32 bits, so that fast
+/// movements stay on their frames; between frames, the 32-bit time itself. Seconds; `fps` > 0.
+double single_time(double time_s, double fps);
+
 }  // namespace limbwave::interchange

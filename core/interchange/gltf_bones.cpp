@@ -19,6 +19,7 @@ using Eigen::Vector3d;
 constexpr double kUniform = 1e-4;
 constexpr double kSmallestScale = 1e-9;
 constexpr std::size_t kMostNodes = 65535;
+constexpr double kLongestBone = 1e6;
 
 Similarity local(const tinygltf::Node& node, bool& is_uniform) {
   is_uniform = true;
@@ -39,6 +40,15 @@ Similarity local(const tinygltf::Node& node, bool& is_uniform) {
     is_uniform = (scale.array() - place.scale).abs().maxCoeff() <= kUniform * std::abs(place.scale);
   }
   return place;
+}
+
+// How long the bone is, when Limbwave wrote it; in the unit of the file.
+std::optional<double> length_in(const tinygltf::Node& node) {
+  if (!node.extras.IsObject() || !node.extras.Has(kGltfLength) || !node.extras.Get(kGltfLength).IsNumber()) {
+    return {};
+  }
+  const double length = node.extras.Get(kGltfLength).GetNumberAsDouble();
+  return length >= 0.0 && length < kLongestBone ? std::optional(length) : std::nullopt;
 }
 
 bool is_usable(const Similarity& place) {
@@ -124,8 +134,15 @@ class Trees {
     }
   }
 
-  // Joints and what moves, with all their ancestors; without any, all nodes that are no meshes, cameras or lights.
+  // Joints, what moves and what Limbwave wrote as a bone, with all their ancestors; without any, all nodes that are no
+  // meshes, cameras or lights.
   Status mark() {
+    for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
+      if (length_in(model_.nodes[i])) {
+        mark_up(static_cast<int>(i));
+        is_fixed_[i] = false;
+      }
+    }
     for (std::size_t s = 0; s < model_.skins.size(); ++s) {
       for (const int joint : model_.skins[s].joints) {
         if (!exists(joint)) {
@@ -168,7 +185,7 @@ class Trees {
   Similarity checked_local(int node, bool& is_good) {
     bool is_uniform = true;
     const auto& entry = model_.nodes[static_cast<std::size_t>(node)];
-    const Similarity place = local(entry, is_uniform);
+    Similarity place = local(entry, is_uniform);
     is_good = is_usable(place);
     if (!is_uniform && is_good) {
       diagnostics_.push_back({Severity::kWarning, "gltf.scale",
@@ -223,12 +240,13 @@ class Trees {
         open.push_back({*child, index, scale});
       }
     }
-    set_lengths(tree.skeleton);
+    set_lengths(tree);
     return tree;
   }
 
-  // To the mean of the children's joints, as bones are drawn.
-  static void set_lengths(body::Skeleton& skeleton) {
+  // As the file says, else to the mean of the children's joints, as bones are drawn.
+  void set_lengths(GltfTree& tree) const {
+    body::Skeleton& skeleton = tree.skeleton;
     std::vector<int> children(skeleton.segments.size(), 0);
     std::vector<Vector3d> sums(skeleton.segments.size(), Vector3d::Zero());
     for (const body::Segment& segment : skeleton.segments) {
@@ -238,7 +256,9 @@ class Trees {
       }
     }
     for (std::size_t i = 0; i < children.size(); ++i) {
-      skeleton.segments[i].length = children[i] > 0 ? sums[i].norm() / children[i] : 0.0;
+      const std::optional<double> said = length_in(model_.nodes[static_cast<std::size_t>(tree.nodes[i])]);
+      const double drawn = children[i] > 0 ? sums[i].norm() / children[i] : 0.0;
+      skeleton.segments[i].length = said ? *said * tree.scales[i] : drawn;
     }
   }
 

@@ -1,4 +1,4 @@
-/// Which nodes of a glTF scene are bones, and where they are at rest. Used by the reader alone.
+/// Which nodes of a glTF scene are bones, and where they are at rest. Used by readers and writers alone.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -12,6 +12,10 @@
 #include "body/skeleton.h"
 
 namespace limbwave::interchange {
+
+/// A bone's length in the extras of its node, for which glTF has no place; in the file's unit, metres as it was
+/// written.
+inline constexpr const char* kGltfLength = "length_m";
 
 /// A place with a scale, the same in all directions, in the file's axes.
 struct Similarity {

@@ -18,8 +18,9 @@ namespace limbwave::interchange {
 /// glTF holds keys as 32-bit floats. So that a solve comes back exactly as it was, the scene's extras ("limbwave") hold
 /// the skeleton (lengths, joints, limits), the frame rate, and where in the binary chunk, behind everything glTF refers
 /// to, the same keys lie as 64-bit floats. Cubic tracks are marked as linear for other programs.
-/// Fails when the skeleton is empty, keys are not finite, start before 0 or do not increase, or the file would not fit
-/// into 4 GB.
+/// Fails when the skeleton is empty, keys are not finite, start before 0 or do not increase, the file would not fit
+/// into 4 GB, or the clip has what solves never have and this form has no place for: meshes, joints that slide,
+/// velocities of their own or ways that change from key to key. `write_gltf` (gltf_file.h) writes those.
 Result<std::string> glb_from_clip(const motion::Clip& clip);
 
 /// Reads what `glb_from_clip` wrote; `place` names it in errors. When another program has changed the animation, its

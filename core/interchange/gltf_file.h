@@ -28,11 +28,12 @@ Status write_gltf(std::span<const motion::Clip* const> clips, const std::filesys
                   const GltfWriteOptions& options = {}, const Progress& progress = {});
 
 /// Reads every tree of joints with every animation: a clip for each pair, at least one a tree. Nodes count as bones
-/// that are joints of skins, move, or lie between such and the scene; what holds still above them is folded in, with
-/// its scale. Reads STEP, LINEAR and CUBICSPLINE, normalised integers, sparse accessors, matrices, skins of any bind
-/// pose. Frames are turned so that x runs along the bones. Scale that moves or is not uniform, morphs and more than
-/// four influences are reported and left out. Other files are read only from the file's own folder. Fails in one line
-/// on everything else, with the JSON place where there is one.
+/// that are joints of skins, move, were written as bones by Limbwave, or lie between such and the scene; what holds
+/// still above them is folded in, with its scale. Reads STEP, LINEAR and CUBICSPLINE, normalised integers, sparse
+/// accessors, matrices, skins of any bind pose. Frames and names stay the file's, so that writing gives the same again.
+/// Bones have the length that Limbwave wrote beside them, else reach to the mean of their children. Scale that moves or
+/// is not uniform, morphs and more than four influences are reported and left out. Other files are read only from the
+/// file's own folder. Fails in one line on everything else, with the JSON place where there is one.
 Result<std::vector<motion::Clip>> load_gltf(const std::filesystem::path& path, Diagnostics* diagnostics = nullptr);
 /// The same from memory; `folder` is where buffers that are named may lie, empty: nowhere.
 Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::string& place,

@@ -184,6 +184,19 @@ double frame_rate(const tinygltf::Model& model, const motion::Clip& clip) {
   return std::clamp(frame_rate_from_text(step, fmt::format("{:.6f}", step)), 1e-3, kHighestFrameRate);
 }
 
+void put_on_frames(motion::Clip& clip) {
+  const auto put = [&](std::vector<double>& times) {
+    for (double& time : times) {
+      time = single_time(time, clip.frame_rate_hz);
+    }
+  };
+  put(clip.root_position.times);
+  for (motion::JointTracks& joint : clip.joints) {
+    put(joint.rotation.times);
+    put(joint.position.times);
+  }
+}
+
 }  // namespace
 
 Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::string& place,
@@ -225,6 +238,7 @@ Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::s
       }
       clip.skeleton.name = clip.name;
       clip.frame_rate_hz = frame_rate(*model, clip);
+      put_on_frames(clip);
       clips.push_back(std::move(clip));
     }
   }

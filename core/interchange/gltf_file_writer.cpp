@@ -9,6 +9,7 @@
 #include "interchange/bone_map.h"
 #include "interchange/clip_check.h"
 #include "interchange/file_axes.h"
+#include "interchange/gltf_bones.h"
 #include "interchange/gltf_buffer.h"
 #include "interchange/gltf_curves.h"
 #include "interchange/gltf_file.h"
@@ -49,6 +50,16 @@ class SceneWriter {
     model_.defaultScene = 0;
   }
 
+  // Something for the bones of one of several actors to hang on: importers make it the armature of its own.
+  void add_actor(const motion::Clip& clip) {
+    tinygltf::Node node;
+    const std::string& name = clip.skeleton.name.empty() ? clip.name : clip.skeleton.name;
+    node.name = unique_(to_utf8(name.empty() ? "actor" : name));
+    model_.nodes.push_back(std::move(node));
+    above_ = static_cast<int>(model_.nodes.size()) - 1;
+    model_.scenes[0].nodes.push_back(above_);
+  }
+
   void add_bones(const motion::Clip& clip) {
     first_ = static_cast<int>(model_.nodes.size());
     for (const body::Segment& segment : clip.skeleton.segments) {
@@ -56,12 +67,15 @@ class SceneWriter {
       node.name = unique_(to_utf8(segment.name));
       node.translation = numbers(to_y_up(segment.p_PL));
       node.rotation = numbers(to_y_up(segment.R_PL_rest.normalized()));
+      node.extras = tinygltf::Value(tinygltf::Value::Object{{kGltfLength, tinygltf::Value(segment.length)}});
       model_.nodes.push_back(std::move(node));
       const int index = static_cast<int>(model_.nodes.size()) - 1;
       if (segment.parent < 0) {
-        model_.scenes[0].nodes.push_back(index);
+        (above_ < 0 ? model_.scenes[0].nodes : model_.nodes[static_cast<std::size_t>(above_)].children)
+            .push_back(index);
       } else {
-        model_.nodes[static_cast<std::size_t>(first_ + segment.parent)].children.push_back(index);
+        model_.nodes[static_cast<std::size_t>(first_) + static_cast<std::size_t>(segment.parent)].children.push_back(
+            index);
       }
     }
   }
@@ -240,7 +254,8 @@ class SceneWriter {
   GltfBuffer buffer_;
   UniqueNames unique_;
   tinygltf::Animation animation_;
-  int first_ = 0;  // node of the present clip's root
+  int first_ = 0;   // node of the present clip's root
+  int above_ = -1;  // what it hangs on; -1: nothing
   std::vector<double> times_;
   int times_accessor_ = -1;
 };
@@ -249,23 +264,16 @@ class SceneWriter {
 
 Status write_gltf(std::span<const motion::Clip* const> clips, const std::filesystem::path& path,
                   const GltfWriteOptions& options, const Progress& progress) {
-  if (clips.empty()) {
-    return Error{"nothing is to be written", path.string(), "choose a clip"};
-  }
-  for (const motion::Clip* clip : clips) {
-    if (Status status = check_clip(*clip); !status) {
-      return status;
-    }
-    for (const auto& mesh : clip->meshes) {
-      if (Status status = motion::validate(*mesh, clip->skeleton); !status) {
-        return status;
-      }
-    }
+  if (Status status = check_actors(clips, path.string()); !status) {
+    return status;
   }
   SceneWriter writer;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (!progress.report(static_cast<double>(i) / static_cast<double>(clips.size()), "writing")) {
       return cancelled();
+    }
+    if (clips.size() > 1) {
+      writer.add_actor(*clips[i]);
     }
     writer.add_bones(*clips[i]);
     writer.add_meshes(*clips[i]);

@@ -27,10 +27,10 @@ struct GltfNumbers {
   std::size_t width = 0;  ///< Numbers an element.
   [[nodiscard]] std::size_t count() const { return width == 0 ? 0 : values.size() / width; }
 };
-std::optional<GltfNumbers> gltf_numbers(const tinygltf::Model& model, int accessor, std::initializer_list<int> types);
+std::optional<GltfNumbers> gltf_numbers(const tinygltf::Model& model, int index, std::initializer_list<int> types);
 
 /// All numbers of an accessor of unsigned integers (indices, joints).
-std::optional<std::vector<std::uint32_t>> gltf_integers(const tinygltf::Model& model, int accessor,
+std::optional<std::vector<std::uint32_t>> gltf_integers(const tinygltf::Model& model, int index,
                                                         std::initializer_list<int> types);
 
 }  // namespace limbwave::interchange

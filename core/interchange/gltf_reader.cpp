@@ -1,7 +1,5 @@
-#include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -11,115 +9,15 @@
 #include "base/json_reader.h"
 #include "interchange/gltf_clip.h"
 #include "interchange/gltf_keys.h"
+#include "interchange/gltf_model.h"
 
 namespace limbwave::interchange {
 namespace {
 
-// The header of the file and of its first chunk, and the JSON text in it; tinygltf recurses into JSON without limit, so
-// its depth is checked first.
-Status check_container(std::string_view bytes, const std::string& place) {
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return value;
-  };
-  constexpr std::size_t kHeader = 12;  // of the file
-  constexpr std::size_t kChunk = 8;    // of each chunk: its length and kind
-  if (bytes.size() < kHeader + kChunk || bytes.substr(0, 4) != "glTF") {
-    return Error{"is not a binary glTF file", place, "check that it is the right file"};
-  }
-  if (word(4) != 2) {
-    return Error{fmt::format("is glTF version {}", word(4)), place, "use glTF 2.0"};
-  }
-  bool whole = word(8) == bytes.size();
-  for (std::size_t at = kHeader; whole && at < bytes.size();) {
-    const std::size_t left = bytes.size() - at;
-    whole = left >= kChunk && word(at) <= left - kChunk;
-    at += whole ? kChunk + word(at) : 0;
-  }
-  if (!whole) {
-    return Error{"is cut off or has something behind its end", place, "check that it was copied whole"};
-  }
-  const Result<nlohmann::json> json = parse_json(bytes.substr(kHeader + kChunk, word(kHeader)), place);
-  return json ? Status() : Status(json.error());
-}
-
-// No file may make this one read another.
-bool refuse_image(tinygltf::Image* /*image*/, int /*index*/, std::string* /*error*/, std::string* /*warning*/,
-                  int /*width*/, int /*height*/, const unsigned char* /*bytes*/, int /*size*/, void* /*user*/) {
-  return true;
-}
-bool no_file(const std::string& /*name*/, void* /*user*/) {
-  return false;
-}
-std::string no_path(const std::string& /*name*/, void* /*user*/) {
-  return {};
-}
-bool no_reading(std::vector<unsigned char>* /*out*/, std::string* error, const std::string& name, void* /*user*/) {
-  *error = "refers to another file, " + name;
-  return false;
-}
-bool no_writing(std::string* /*error*/, const std::string& /*name*/, const std::vector<unsigned char>& /*bytes*/,
-                void* /*user*/) {
-  return false;
-}
-
-Result<tinygltf::Model> parse(std::string_view bytes, const std::string& place) {
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(refuse_image, nullptr);
-  loader.SetFsCallbacks({no_file, no_path, no_reading, no_writing, nullptr});
-  loader.SetStoreOriginalJSONForExtrasAndExtensions(true);
-  tinygltf::Model model;
-  std::string error;
-  std::string warning;
-  bool read = false;
-  try {
-    read = loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                       static_cast<unsigned int>(bytes.size()));
-  } catch (const std::exception& exception) {  // the library throws on JSON of unexpected types
-    error = exception.what();
-  }
-  if (read) {
-    return model;
-  }
-  std::replace(error.begin(), error.end(), '\n', ' ');
-  error.erase(error.find_last_not_of(" .") + 1);
-  return Error{"is not valid glTF (" + error + ")", place, "check that it was copied whole"};
-}
-
-// All floats of an accessor of the wanted type; nothing when it is not of that kind or reaches outside its buffer.
+// All numbers of an accessor of the wanted type; nothing when there are none or it is not whole.
 std::optional<std::vector<float>> floats(const tinygltf::Model& model, int index, int type) {
-  if (index < 0 || static_cast<std::size_t>(index) >= model.accessors.size()) {
-    return {};
-  }
-  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
-  const std::size_t width = type == TINYGLTF_TYPE_VEC4 ? 4 : type == TINYGLTF_TYPE_VEC3 ? 3 : 1;
-  if (accessor.type != type || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || accessor.sparse.isSparse ||
-      accessor.bufferView < 0 || static_cast<std::size_t>(accessor.bufferView) >= model.bufferViews.size()) {
-    return {};
-  }
-  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size()) {
-    return {};
-  }
-  const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
-  const std::size_t element = width * sizeof(float);
-  const std::size_t stride = view.byteStride == 0 ? element : view.byteStride;
-  // Each step is checked against what is left, so that no sum can wrap around.
-  if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset ||
-      accessor.byteOffset > view.byteLength || accessor.count == 0 || stride < element) {
-    return {};
-  }
-  const std::size_t room = view.byteLength - accessor.byteOffset;
-  if (room < element || accessor.count - 1 > (room - element) / stride) {
-    return {};
-  }
-  std::vector<float> values(accessor.count * width);
-  const unsigned char* const start = bytes.data() + view.byteOffset + accessor.byteOffset;
-  for (std::size_t i = 0; i < accessor.count; ++i) {
-    std::memcpy(values.data() + i * width, start + i * stride, element);
-  }
-  return values;
+  std::optional<GltfNumbers> numbers = gltf_numbers(model, index, {type});
+  return numbers && !numbers->values.empty() ? std::optional(std::move(numbers->values)) : std::nullopt;
 }
 
 std::optional<motion::Interpolation> interpolation(const std::string& name) {
@@ -287,10 +185,7 @@ class ClipBuilder {
 }  // namespace
 
 Result<motion::Clip> clip_from_glb(std::string_view bytes, const std::string& place) {
-  if (const Status status = check_container(bytes, place); !status) {
-    return status.error();
-  }
-  const Result<tinygltf::Model> model = parse(bytes, place);
+  const Result<tinygltf::Model> model = parse_gltf(bytes, place);
   if (!model) {
     return model.error();
   }

@@ -85,6 +85,29 @@ Status check(const motion::Track<T>& track, const std::string& name, const std::
   return {};
 }
 
+// What would be lost silently.
+Status check_fits(const motion::Clip& clip) {
+  const auto no_place = [&](const std::string& what) {
+    return Error{"a take's clip has no place for " + what, clip.name, "export it to a file of its own"};
+  };
+  if (!clip.meshes.empty()) {
+    return no_place("meshes");
+  }
+  const auto is_plain = [](const auto& track) {
+    return track.key_interpolation.empty() && track.arriving.empty() && track.leaving.empty();
+  };
+  bool plain = is_plain(clip.root_position);
+  for (std::size_t i = 0; i < clip.joints.size(); ++i) {
+    if (!clip.joints[i].position.empty()) {
+      return no_place(i < clip.skeleton.segments.size()
+                          ? fmt::format("\"{}\", which slides", clip.skeleton.segments[i].name)
+                          : "joints without a bone");
+    }
+    plain = plain && is_plain(clip.joints[i].rotation);
+  }
+  return plain ? Status() : Status(no_place("velocities and ways of single keys"));
+}
+
 class GlbBuilder {
  public:
   explicit GlbBuilder(const motion::Clip& clip) : clip_(clip) {
@@ -259,6 +282,9 @@ class GlbBuilder {
 Result<std::string> glb_from_clip(const motion::Clip& clip) {
   if (clip.skeleton.segments.empty()) {
     return Error{"the clip has no skeleton", clip.name, "solve the take first"};
+  }
+  if (const Status status = check_fits(clip); !status) {
+    return status.error();
   }
   GlbBuilder builder(clip);
   if (const Status status = builder.nodes(); !status) {

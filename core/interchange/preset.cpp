@@ -39,7 +39,7 @@ T choice(const JsonReader& json, const char* key, T otherwise, std::vector<std::
 
 Preset read_preset(const JsonReader& root) {
   root.allow({"schema", "name", "title", "comment", "bone_map", "bone_axis", "rest", "rest_frame", "soles_at_zero",
-              "root", "root_name", "root_motion", "unit", "required"});
+              "root", "root_name", "root_motion", "unit", "bvh_unit", "required"});
   (void)root.at("schema").integer(1, 1);
   Preset preset;
   preset.name = root.at("name").string();
@@ -52,8 +52,10 @@ Preset read_preset(const JsonReader& root) {
       choice<RestPose>(root, "rest", RestPose::kAsIs, {{"as-is", RestPose::kAsIs}, {"t-pose", RestPose::kTPose}});
   preset.rest_frame = root.boolean_or("rest_frame", false);
   preset.soles_at_zero = root.boolean_or("soles_at_zero", false);
-  preset.unit = choice<FileUnit>(root, "unit", FileUnit::kCentimetres,
-                                 {{"cm", FileUnit::kCentimetres}, {"m", FileUnit::kMetres}});
+  const std::vector<std::pair<std::string, FileUnit>> units = {{"cm", FileUnit::kCentimetres},
+                                                               {"m", FileUnit::kMetres}};
+  preset.unit = choice<FileUnit>(root, "unit", FileUnit::kCentimetres, units);
+  preset.bvh_unit = choice<FileUnit>(root, "bvh_unit", preset.unit, units);
   preset.root_motion = choice<motion::RootMotion>(root, "root_motion", motion::RootMotion::kFree,
                                                   {{"free", motion::RootMotion::kFree},
                                                    {"in-place", motion::RootMotion::kInPlace},
@@ -74,10 +76,8 @@ Preset read_preset(const JsonReader& root) {
   return preset;
 }
 
-// Turns bone frames so that `axis` of every bone, as files have it, points to its end.
-motion::Clip along_bones(motion::Clip clip, BoneAxis axis) {
-  // Files' x, y and z are our y, z and x (file_axes.h).
-  const Vector3d own = axis == BoneAxis::kX ? Vector3d::UnitY() : Vector3d::UnitZ();
+// Turns bone frames so that their axis `own` points to the bone's end.
+motion::Clip along_bones(motion::Clip clip, const Vector3d& own) {
   std::vector<Quaterniond> turns;
   for (const Vector3d& bone : motion::bone_directions(clip.skeleton)) {
     turns.push_back(Quaterniond::FromTwoVectors(own, bone));
@@ -126,6 +126,18 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
+Vector3d bone_axis(const Preset& preset) {
+  // Files' x, y and z are our y, z and x (file_axes.h).
+  switch (preset.bone_axis) {
+    case BoneAxis::kX:
+      return Vector3d::UnitY();
+    case BoneAxis::kY:
+      return Vector3d::UnitZ();
+    default:
+      return Vector3d::UnitX();
+  }
+}
+
 Result<motion::Clip> arranged(motion::Clip clip, const Preset& preset) {
   if (clip.skeleton.segments.empty()) {
     return Error{"has no bones", clip.name, "export a clip with a skeleton"};
@@ -158,10 +170,11 @@ Result<motion::Clip> arranged(motion::Clip clip, const Preset& preset) {
     }
   }
   if (preset.bone_axis != BoneAxis::kAsIs) {
-    clip = along_bones(std::move(clip), preset.bone_axis);
+    clip = along_bones(std::move(clip), bone_axis(preset));
   }
   if (preset.rest_frame) {
-    clip = motion::with_rest_frame(std::move(clip), Vector3d(clip.skeleton.segments.front().p_PL));
+    const Vector3d p_root = clip.skeleton.segments.front().p_PL;
+    clip = motion::with_rest_frame(std::move(clip), p_root);
   }
   return clip;
 }

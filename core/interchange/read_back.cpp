@@ -6,6 +6,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "interchange/frame_rate.h"
+
 namespace limbwave::interchange {
 namespace {
 
@@ -76,7 +78,7 @@ Result<ReadBack> compare_clips(const std::vector<motion::Clip>& meant, const std
         return cancelled();
       }
       motion::pose_at(meant[c], times[k], a);
-      motion::pose_at(read[c], single_times ? static_cast<double>(static_cast<float>(times[k])) : times[k], b);
+      motion::pose_at(read[c], single_times ? single_time(times[k], read[c].frame_rate_hz) : times[k], b);
       for (std::size_t i = 0; i < order_a.size(); ++i) {
         const double distance = (a[order_a[i]].p_WL - b[order_b[i]].p_WL).norm();
         if (!note(result, distance, meant[c].skeleton.segments[order_a[i]].name, times[k], tolerance_m)) {

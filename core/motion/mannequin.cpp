@@ -76,7 +76,7 @@ class Builder {
 
 }  // namespace
 
-std::shared_ptr<const SkinnedMesh> mannequin(const body::Skeleton& skeleton) {
+std::shared_ptr<const SkinnedMesh> mannequin(const body::Skeleton& skeleton, const Vector3d& along) {
   auto mesh = std::make_shared<SkinnedMesh>();
   mesh->name = "mannequin";
   mesh->bind_poses = rest_poses(skeleton);
@@ -98,8 +98,7 @@ std::shared_ptr<const SkinnedMesh> mannequin(const body::Skeleton& skeleton) {
       }
     }
     if (children[i] == 0 && segment.length > kShortest) {
-      builder.limb(rest[i].p_WL, rest[i].p_WL + rest[i].R_WL * Vector3d(segment.length, 0, 0), self, segment.parent,
-                   -1);
+      builder.limb(rest[i].p_WL, rest[i].p_WL + rest[i].R_WL * (segment.length * along), self, segment.parent, -1);
     }
   }
   if (mesh->positions.empty() && !rest.empty()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -10,6 +11,11 @@ namespace {
 
 // Shorter bones have no direction.
 constexpr double kShortestBone = 1e-6;
+// Poses that differ by less are one, metres and radians.
+constexpr double kSamePlace = 2e-5;
+constexpr double kSameTurn = 1e-5;
+// A frame this close to a key, in frames, is the key.
+constexpr double kSameFrame = 1e-3;
 
 // What "the skeleton's rest" meant for a mesh, written down before the rest changes.
 void bind_where_it_is(Clip& clip) {
@@ -220,6 +226,90 @@ Clip with_rest_frame(Clip clip, const Vector3d& root_p_W) {
     clip.root_position = {{0.0}, {clip.skeleton.segments.front().p_PL}};
   }
   put_first(frame, clip.root_position, root_p_W);
+  return clip;
+}
+
+Clip with_straight_pieces(Clip clip) {
+  const auto straighten = [&](auto& track) {
+    auto straight = track;
+    straight.times.clear();
+    straight.values.clear();
+    straight.interpolation = Interpolation::kLinear;
+    straight.key_interpolation.clear();
+    straight.arriving.clear();
+    straight.leaving.clear();
+    bool cubic = false;
+    for (std::size_t i = 0; i < track.times.size(); ++i) {
+      const Interpolation after = track.interpolation_after(i);
+      straight.times.push_back(track.times[i]);
+      straight.values.push_back(track.values[i]);
+      straight.key_interpolation.push_back(after == Interpolation::kStep ? after : Interpolation::kLinear);
+      if (after != Interpolation::kCubic || i + 1 == track.times.size()) {
+        continue;
+      }
+      cubic = true;
+      double frame = std::floor(track.times[i] * clip.frame_rate_hz + kSameFrame) + 1.0;
+      for (const double end = track.times[i + 1] * clip.frame_rate_hz - kSameFrame; frame < end; frame += 1.0) {
+        straight.times.push_back(frame / clip.frame_rate_hz);
+        straight.values.push_back(sample(track, straight.times.back()));
+        straight.key_interpolation.push_back(Interpolation::kLinear);
+      }
+    }
+    if (std::ranges::find(straight.key_interpolation, Interpolation::kStep) == straight.key_interpolation.end()) {
+      straight.key_interpolation.clear();
+    }
+    if (cubic) {
+      track = std::move(straight);
+    }
+  };
+  for (JointTracks& joint : clip.joints) {
+    straighten(joint.rotation);
+    straighten(joint.position);
+  }
+  straighten(clip.root_position);
+  return clip;
+}
+
+Clip with_meshes_at_rest(Clip clip) {
+  const std::vector<body::SegmentPose> rest = rest_poses(clip.skeleton);
+  for (std::shared_ptr<const SkinnedMesh>& mesh : clip.meshes) {
+    if (mesh->bind_poses.empty()) {
+      continue;
+    }
+    std::vector<bool> used(rest.size(), false);
+    for (std::size_t v = 0; v < mesh->positions.size(); ++v) {
+      for (std::size_t k = 0; k < kInfluences; ++k) {
+        used[mesh->segments[v][k]] = used[mesh->segments[v][k]] || mesh->weights[v][k] > 0.0F;
+      }
+    }
+    const auto first = static_cast<std::size_t>(std::ranges::find(used, true) - used.begin());
+    if (first == used.size()) {
+      continue;
+    }
+    // The way from where it was bound to rest, which must be the same for all bones.
+    const auto way = [&](std::size_t i) {
+      const Quaterniond R = (rest[i].R_WL * mesh->bind_poses[i].R_WL.conjugate()).normalized();
+      return body::SegmentPose{R, rest[i].p_WL - R * mesh->bind_poses[i].p_WL};
+    };
+    const body::SegmentPose common = way(first);
+    bool same = true;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      const body::SegmentPose own = way(i);
+      same = same && (!used[i] || (own.R_WL.angularDistance(common.R_WL) < kSameTurn &&
+                                   (own.p_WL - common.p_WL).norm() < kSamePlace));
+    }
+    if (same) {
+      auto moved = std::make_shared<SkinnedMesh>(*mesh);
+      for (Eigen::Vector3f& p : moved->positions) {
+        p = (common.R_WL * p.cast<double>() + common.p_WL).cast<float>();
+      }
+      for (Eigen::Vector3f& n : moved->normals) {
+        n = (common.R_WL * n.cast<double>()).cast<float>();
+      }
+      moved->bind_poses.clear();
+      mesh = std::move(moved);
+    }
+  }
   return clip;
 }
 

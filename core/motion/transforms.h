@@ -38,6 +38,14 @@ Clip with_root_motion(Clip clip, RootMotion motion);
 /// (1 / frame_rate_hz) later. Without blending: the first frame holds until the second.
 Clip with_rest_frame(Clip clip, const Vector3d& root_p_W);
 
+/// The clip with cubic pieces as straight lines from frame to frame (of `frame_rate_hz`), for programs that show cubic
+/// keys in another way. All keys stay; steps stay steps.
+Clip with_straight_pieces(Clip clip);
+
+/// The clip with meshes moved to where the rest pose has their bones, where that is possible without bending them: the
+/// pose in which they were bound is the rest pose in another place. They then count as bound at rest.
+Clip with_meshes_at_rest(Clip clip);
+
 /// All segments' direction towards the mean of their children's joints, in their own frame, unit length; leaves and
 /// coincident joints: x, the bone axis of L.
 std::vector<Vector3d> bone_directions(const body::Skeleton& skeleton);

@@ -69,7 +69,11 @@ class LiveSimulator : public acquire::LiveSource {
 
   void wait(double timeout_s) override { (void)arrived_.wait_for(std::chrono::duration<double>(timeout_s)); }
   [[nodiscard]] acquire::SourceCounters counters() const override {
-    return {overflows_.load(std::memory_order_relaxed), dropped_.load(std::memory_order_relaxed)};
+    acquire::SourceCounters counters;
+    counters.overflows = overflows_.load(std::memory_order_acquire);
+    counters.dropped_frames = dropped_.load(std::memory_order_acquire);
+    counters.lost_at = lost_at_.load(std::memory_order_relaxed);
+    return counters;
   }
   [[nodiscard]] bool alive() const override { return true; }
   [[nodiscard]] double device_latency_s() const override { return kBlockSeconds; }
@@ -80,7 +84,8 @@ class LiveSimulator : public acquire::LiveSource {
     const auto block_frames = static_cast<std::size_t>(std::ceil(kBlockSeconds * format_.rate.hz));
     std::vector<std::byte> block(block_frames * format_.bytes_per_frame());
     const double begin = now_s();
-    double made = 0.0;  // frames, since the start
+    double made = 0.0;         // frames, since the start
+    std::int64_t written = 0;  // of them into the ring
     std::unique_lock lock(mutex_);
     while (!stopping_) {
       lock.unlock();
@@ -90,13 +95,17 @@ class LiveSimulator : public acquire::LiveSource {
       // A block exists once its last frame would have been sampled.
       const double due = begin + made / format_.rate.hz;
       lock.lock();
-      wake_.wait_for(lock, std::chrono::duration<double>(due - now_s()), [this] { return stopping_; });
+      if (wake_.wait_for(lock, std::chrono::duration<double>(due - now_s()), [this] { return stopping_; })) {
+        break;  // this block has not been sampled yet
+      }
       newest_.store(due, std::memory_order_release);
       if (ring_.write(std::span<const std::byte>(block))) {
+        written += static_cast<std::int64_t>(block_frames);
         arrived_.notify();
       } else {
-        overflows_.fetch_add(1, std::memory_order_relaxed);
-        dropped_.fetch_add(block_frames, std::memory_order_relaxed);
+        lost_at_.store(written, std::memory_order_relaxed);
+        dropped_.fetch_add(block_frames, std::memory_order_release);
+        overflows_.fetch_add(1, std::memory_order_release);
       }
     }
   }
@@ -110,6 +119,7 @@ class LiveSimulator : public acquire::LiveSource {
   std::condition_variable wake_;
   bool stopping_ = false;
   std::atomic<std::uint64_t> overflows_{0}, dropped_{0};
+  std::atomic<std::int64_t> lost_at_{0};
   std::atomic<double> newest_{0.0};
   WakeSignal arrived_;
 };

@@ -56,6 +56,23 @@ double heading_at(const std::vector<HeadingKey>& keys, double time_s) {
   return a.heading + fraction * (after->heading - a.heading);
 }
 
+void set_orientations(const body::Skeleton& skeleton, const std::vector<bool>& sensed,
+                      std::span<const Quaterniond> inclined, const std::vector<std::vector<HeadingKey>>& headings,
+                      double time_s, std::vector<Quaterniond>& R_WL) {
+  R_WL.resize(skeleton.segments.size());
+  for (std::size_t s = 0; s < R_WL.size(); ++s) {
+    const body::Segment& segment = skeleton.segments[s];
+    if (sensed[s]) {
+      const double heading = s < headings.size() ? heading_at(headings[s], time_s) : 0.0;
+      R_WL[s] = about_vertical(heading) * inclined[s];
+    } else if (segment.parent >= 0) {
+      R_WL[s] = R_WL[static_cast<std::size_t>(segment.parent)] * segment.R_PL_rest;
+    } else {
+      R_WL[s] = segment.R_PL_rest;
+    }
+  }
+}
+
 motion::Clip compose_clip(const body::Skeleton& skeleton, const std::vector<double>& times,
                           const std::vector<std::vector<Quaterniond>>& inclinations,
                           const std::vector<std::vector<HeadingKey>>& headings, double frame_rate_hz) {
@@ -65,19 +82,18 @@ motion::Clip compose_clip(const body::Skeleton& skeleton, const std::vector<doub
   clip.skeleton = skeleton;
   clip.frame_rate_hz = frame_rate_hz;
   clip.joints.resize(count);
-  std::vector<std::vector<Quaterniond>> R_WL(times.size(), std::vector<Quaterniond>(count));
+  std::vector<bool> sensed(count);
+  std::transform(inclinations.begin(), inclinations.end(), sensed.begin(),
+                 [](const auto& rotations) { return !rotations.empty(); });
+  std::vector<std::vector<Quaterniond>> R_WL(times.size());
+  std::vector<Quaterniond> inclined(count);
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (std::size_t s = 0; s < count; ++s) {
-      const body::Segment& segment = skeleton.segments[s];
-      if (!inclinations[s].empty()) {
-        const double heading = s < headings.size() ? heading_at(headings[s], times[i]) : 0.0;
-        R_WL[i][s] = about_vertical(heading) * inclinations[s][i];
-      } else if (segment.parent >= 0) {
-        R_WL[i][s] = R_WL[i][static_cast<std::size_t>(segment.parent)] * segment.R_PL_rest;
-      } else {
-        R_WL[i][s] = segment.R_PL_rest;
+      if (sensed[s]) {
+        inclined[s] = inclinations[s][i];
       }
     }
+    set_orientations(skeleton, sensed, inclined, headings, times[i], R_WL[i]);
   }
   set_tracks(clip, times, R_WL);
   return clip;

@@ -14,6 +14,13 @@ namespace limbwave::solve {
 /// A segment's heading at a time: linear between keys, held outside, 0 without keys. Radians.
 double heading_at(const std::vector<HeadingKey>& keys, double time_s);
 
+/// World orientations of all segments at one instant, live and offline: Rz(heading) · inclined[s] for segments that
+/// carry a sensor (`sensed`), others follow their parent at rest.
+void set_orientations(const body::Skeleton& skeleton, const std::vector<bool>& sensed,
+                      std::span<const Eigen::Quaterniond> inclined,
+                      const std::vector<std::vector<HeadingKey>>& headings, double time_s,
+                      std::vector<Eigen::Quaterniond>& R_WL);
+
 /// R_WL = Rz(heading) · R_WL_inclination for segments that carry a sensor; others follow their parent at rest.
 /// `inclinations[segment]` is empty for segments without a sensor, else one rotation per time.
 motion::Clip compose_clip(const body::Skeleton& skeleton, const std::vector<double>& times,

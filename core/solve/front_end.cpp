@@ -44,11 +44,6 @@ void FrontEnd::push(std::span<const float> interleaved) {
   align();
 }
 
-void FrontEnd::gap(SampleCount count) {
-  decoder_.gap(count);
-  align();
-}
-
 void FrontEnd::finish() {
   decoder_.finish();
   align();

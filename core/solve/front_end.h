@@ -28,8 +28,6 @@ class FrontEnd {
 
   /// Interleaved stereo, full scale ±1.
   void push(std::span<const float> interleaved);
-  /// Frames that are known to be missing.
-  void gap(SampleCount count);
   void finish();
 
   /// What has been decoded since the last call.

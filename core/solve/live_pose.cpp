@@ -35,7 +35,6 @@ std::vector<body::SegmentPose> LivePose::ahead(std::span<const decode::Accelerat
 
 std::vector<body::SegmentPose> LivePose::advance(State& state, const decode::AccelerationFrame& frame) const {
   std::vector<bool> sensed(skeleton_.segments.size(), false);
-  std::vector<Eigen::Quaterniond> R_WL = state.R_WL;
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     if (segments_[s] < 0) {
       continue;
@@ -44,22 +43,12 @@ std::vector<body::SegmentPose> LivePose::advance(State& state, const decode::Acc
     const estimate::ForceSample sample = limb_force(frame, s, signal_, calibration_);
     const estimate::Inclination inclination = state.trackers[s].push(sample);
     if (inclination.known) {
-      R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, state.R_WL[segment]);
+      state.R_WL[segment] = estimate::orientation(inclination.up_L, 0.0, state.R_WL[segment]);
       sensed[segment] = true;
     }
   }
-  state.R_WL = R_WL;
-  for (std::size_t i = 0; i < R_WL.size(); ++i) {
-    const body::Segment& segment = skeleton_.segments[i];
-    if (sensed[i]) {
-      const double heading = i < headings_.size() ? heading_at(headings_[i], frame.time_s) : 0.0;
-      R_WL[i] = Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()) * R_WL[i];
-    } else if (segment.parent >= 0) {
-      R_WL[i] = R_WL[static_cast<std::size_t>(segment.parent)] * segment.R_PL_rest;
-    } else {
-      R_WL[i] = segment.R_PL_rest;
-    }
-  }
+  std::vector<Eigen::Quaterniond> R_WL;
+  set_orientations(skeleton_, sensed, state.R_WL, headings_, frame.time_s, R_WL);
   return body::poses_from_orientations(skeleton_, R_WL, skeleton_.segments.front().p_PL);
 }
 

@@ -18,6 +18,7 @@ LiveSession::~LiveSession() {
 }
 
 Status LiveSession::start() {
+  const std::scoped_lock lock(worker_->running);
   if (worker_->thread.joinable()) {
     return {};
   }
@@ -30,6 +31,7 @@ Status LiveSession::start() {
 }
 
 void LiveSession::stop() {
+  const std::scoped_lock lock(worker_->running);
   if (!worker_->thread.joinable()) {
     return;
   }
@@ -45,20 +47,28 @@ Status LiveSession::start_recording(const std::filesystem::path& folder, const s
   info.format = worker_->format;
   info.rig = worker_->settings.rig;
   info.skeleton = worker_->settings.skeleton;
+  std::int64_t calibrations = 0;
   {
     const std::scoped_lock lock(worker_->mutex);
-    if (worker_->recorder) {
+    if (worker_->recorder || worker_->is_preparing) {
       return Error{"is being recorded already", worker_->take_folder.string(), "stop that recording first"};
     }
-    info.calibration = worker_->new_calibration ? worker_->new_calibration : worker_->settings.calibration;
+    worker_->is_preparing = true;
+    info.calibration = worker_->settings.calibration;
+    calibrations = worker_->calibrations;
   }
+  // Without the lock: it touches the disk, and the worker must not wait for that.
   Result<std::unique_ptr<take::Recorder>> recorder = take::Recorder::create(folder, std::move(info));
-  if (!recorder) {
-    return recorder.error();
-  }
   {
     const std::scoped_lock lock(worker_->mutex);
+    worker_->is_preparing = false;
+    if (!recorder) {
+      return recorder.error();
+    }
     worker_->recorder = std::move(*recorder);
+    if (worker_->calibrations != calibrations) {  // set meanwhile: the worker brings it into the take
+      worker_->new_calibration = worker_->settings.calibration;
+    }
     worker_->recording_start = -1;
     worker_->recording_error.clear();
     worker_->pending_events.clear();
@@ -76,6 +86,9 @@ Result<take::Take> LiveSession::stop_recording() {
   {
     const std::scoped_lock lock(worker_->mutex);
     recorder = std::move(worker_->recorder);
+    if (recorder && worker_->new_calibration) {
+      (void)recorder->set_calibration(*worker_->new_calibration);  // no sample came since
+    }
   }
   if (!recorder) {
     return Error{"nothing is being recorded", "", "start a recording first"};
@@ -105,6 +118,7 @@ bool LiveSession::write_event(const take::TakeEvent& event) {
 void LiveSession::set_calibration(const calibrate::RigCalibration& calibration) {
   const std::scoped_lock lock(worker_->mutex);
   worker_->new_calibration = calibration;
+  ++worker_->calibrations;
   worker_->settings.calibration = calibration;
 }
 

@@ -77,7 +77,9 @@ class LiveSession {
   Status start();
   void stop();
 
-  /// Starts recording into a new take folder; raw samples from now on. Fails when the folder exists or cannot be made.
+  /// Starts recording into a new take folder; raw samples from now on. Where the source is known to have lost some,
+  /// silence stands in for them, so that the rest keeps its time, and an event tells. Fails when the folder exists or
+  /// cannot be made, or when a recording runs or is being started.
   Status start_recording(const std::filesystem::path& folder, const std::string& subject);
   /// Ends the recording; the take is complete on disk when this returns.
   Result<take::Take> stop_recording();
@@ -91,7 +93,7 @@ class LiveSession {
   void set_calibration(const calibrate::RigCalibration& calibration);
   void set_headings(const std::vector<std::vector<HeadingKey>>& headings);
 
-  /// A copy of the newest state, when it changed since `seen_version`; never blocks for longer than the copy.
+  /// The newest state, which never changes any more: `version` tells whether it is another. Never blocks.
   [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const;
 
   /// The newest pose; null before the first.

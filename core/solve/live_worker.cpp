@@ -61,7 +61,11 @@ void LiveWorker::run() {
   }
   while (step()) {
   }
-  sum_up_findings();
+  {
+    const std::scoped_lock lock(front_mutex_);
+    front_.sum_up_findings();
+    note(front_.take_diagnostics());
+  }
   publish();
 }
 
@@ -78,6 +82,8 @@ void LiveWorker::sum_up_findings() {
 }
 
 bool LiveWorker::step() {
+  // Before the pull: a ring that overflows holds more than one pull takes, so that no loss is reached unseen.
+  look_for_losses();
   const std::size_t count = source->pull(bytes_);
   if (count == 0) {
     return false;
@@ -86,24 +92,45 @@ bool LiveWorker::step() {
   const double newest_s = source->newest_frame_time_s();
   // Later than that, so that nothing seems to have arrived before it was captured.
   const double arrived_s = now_s();
-  const std::span<const std::byte> fresh(bytes_.data(), count);
-  record(fresh);
-  samples_.resize(count / acquire::bytes_per_sample(format.type));
-  acquire::to_float(format.type, fresh, samples_);
-  frames_pulled_ += static_cast<std::int64_t>(count / format.bytes_per_frame());
+  std::span<const std::byte> fresh(bytes_.data(), count);
+  while (!losses_.empty()) {
+    const Loss loss = losses_.front();
+    const std::size_t before =
+        static_cast<std::size_t>(std::max<std::int64_t>(loss.at - frames_given_, 0)) * format.bytes_per_frame();
+    if (before > fresh.size()) {
+      break;
+    }
+    losses_.pop_front();
+    take_in(fresh.first(before), arrived_s);
+    fresh = fresh.subspan(before);
+    frames_given_ = std::max(frames_given_, loss.at);
+    make_up_for(loss, arrived_s);
+  }
+  const auto rest = static_cast<std::int64_t>(fresh.size() / format.bytes_per_frame());
+  frames_given_ += rest;
+  if (newest_s > 0.0) {
+    clock_.arrived(frames_pulled_ + rest, newest_s);
+  }
+  take_in(fresh, arrived_s);
+  return count == bytes_.size();
+}
+
+void LiveWorker::take_in(std::span<const std::byte> bytes, double arrived_s) {
+  if (bytes.empty()) {
+    return;
+  }
+  record(bytes);
+  samples_.resize(bytes.size() / acquire::bytes_per_sample(format.type));
+  acquire::to_float(format.type, bytes, samples_);
+  frames_pulled_ += static_cast<std::int64_t>(bytes.size() / format.bytes_per_frame());
   scope_.insert(scope_.end(), samples_.begin(), samples_.end());
   keep_newest(scope_, 2 * static_cast<std::size_t>(kScope_s * format.rate.hz));
-  note_losses();
-  if (newest_s > 0.0) {
-    clock_.arrived(frames_pulled_, newest_s);
-  }
   {
     const std::scoped_lock lock(front_mutex_);
     front_.push(samples_);
     note(front_.take_diagnostics());
   }
   solve_frames(arrived_s);
-  return count == bytes_.size();
 }
 
 void LiveWorker::record(std::span<const std::byte> bytes) {
@@ -166,19 +193,35 @@ void LiveWorker::write_events(const Diagnostics& found) {
   }
 }
 
-void LiveWorker::note_losses() {
+void LiveWorker::look_for_losses() {
   const acquire::SourceCounters seen = source->counters();
   if (seen.overflows == counters_.overflows && seen.dropped_frames == counters_.dropped_frames) {
     return;
   }
   const std::uint64_t dropped = seen.dropped_frames - counters_.dropped_frames;
   counters_ = seen;
+  if (!losses_.empty() && losses_.back().at == seen.lost_at) {
+    losses_.back().dropped += dropped;
+  } else {
+    losses_.push_back({seen.lost_at, dropped});
+  }
+}
+
+// Silence for what is known to be missing, in the take as in the decoder: everything after it keeps its time.
+void LiveWorker::make_up_for(const Loss& loss, double arrived_s) {
   clock_.restart();
-  const std::string amount = dropped > 0 ? fmt::format("{} samples were lost", dropped)
-                                         : std::string("samples were lost, the device does not say how many");
+  const std::string amount = loss.dropped > 0 ? fmt::format("{} samples were lost", loss.dropped)
+                                              : std::string("samples were lost, the device does not say how many");
   note({{Severity::kWarning, "dropped", amount,
          "close programs that keep the computer busy, or choose a larger buffer of the sound card", source->title(),
          format.rate.seconds(SampleIndex{frames_pulled_}).value}});
+  const std::size_t frame = format.bytes_per_frame();
+  const std::vector<std::byte> silence(std::min<std::uint64_t>(loss.dropped, bytes_.size() / frame) * frame);
+  for (std::uint64_t left = loss.dropped; left > 0;) {
+    const std::uint64_t count = std::min<std::uint64_t>(left, silence.size() / frame);
+    take_in(std::span(silence).first(count * frame), arrived_s);
+    left -= count;
+  }
 }
 
 void LiveWorker::solve_frames(double arrived_s) {

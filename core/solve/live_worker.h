@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -35,6 +36,7 @@ struct LiveWorker {
   std::unique_ptr<acquire::LiveSource> source;
   LiveSettings settings;
   acquire::StreamFormat format;
+  std::mutex running;  // held while the thread is started or joined
   std::thread thread;
   std::atomic<bool> stopping{false};
   std::function<void()> told;  // of a new figure; set before the thread runs
@@ -42,10 +44,12 @@ struct LiveWorker {
   // Shared with callers, under `mutex`.
   std::mutex mutex;
   std::unique_ptr<take::Recorder> recorder;
+  bool is_preparing = false;                    // a recorder is being made
   std::int64_t recording_start = 0;             // stream frame of the take's sample 0
   std::vector<take::TakeEvent> pending_events;  // of the user; the worker writes them, so that no caller waits
   std::int64_t next_marker = 1;
   std::optional<calibrate::RigCalibration> new_calibration;
+  std::int64_t calibrations = 0;  // counts those that were set
   std::optional<std::vector<std::vector<HeadingKey>>> new_headings;
   std::string recording_error;
   std::filesystem::path take_folder;
@@ -56,11 +60,19 @@ struct LiveWorker {
   std::shared_ptr<const LiveFigure> figure;
 
  private:
+  // Frames that are missing in what the source gives.
+  struct Loss {
+    std::int64_t at = 0;        // so many of the source's frames come before
+    std::uint64_t dropped = 0;  // 0: the device does not say how many
+  };
+
   bool step();
+  void take_in(std::span<const std::byte> bytes, double arrived_s);
   void record(std::span<const std::byte> bytes);
   void note(const Diagnostics& found);
   void write_events(const Diagnostics& found);
-  void note_losses();
+  void look_for_losses();
+  void make_up_for(const Loss& loss, double arrived_s);
   void solve_frames(double arrived_s);
   void hand_over(const decode::LineInCycle& newest, double arrived_s);
   void publish();
@@ -71,6 +83,8 @@ struct LiveWorker {
   CaptureClock clock_;
   LatencyMeter latency_;
   std::vector<std::byte> bytes_;
+  std::deque<Loss> losses_;        // that reading has not reached yet
+  std::int64_t frames_given_ = 0;  // by the source; the stream has the silence for lost ones too
   std::vector<float> samples_;
   std::int64_t frames_pulled_ = 0;
   std::vector<float> scope_;

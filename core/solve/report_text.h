@@ -26,6 +26,6 @@ inline constexpr std::array kSmoothings{Smoothing::kChain, Smoothing::kAdaptive,
                                         Smoothing::kNone};
 std::string_view name(Smoothing smoothing);  ///< "none", "adaptive", "bridging", "chain"
 /// The other way round; empty for anything else.
-std::optional<Smoothing> smoothing_named(std::string_view name);
+std::optional<Smoothing> smoothing_named(std::string_view wanted);
 
 }  // namespace limbwave::solve

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -188,6 +189,32 @@ void name_gaps(const body::Rig& rig, ChosenCalibration& chosen) {
   }
 }
 
+// Says whose mounting was found from poses that were not held well, whoever kept it; procedures speak for themselves.
+void name_loose_poses(const body::Rig& rig, ChosenCalibration& chosen) {
+  const calibrate::LimbParameters limits;
+  std::vector<std::string> names;
+  double worst = 0.0;
+  for (std::size_t s = 0; s < chosen.calibration.mounts.size(); ++s) {
+    const calibrate::MountCalibration& mount = chosen.calibration.mounts[s];
+    const double off = std::abs(mount.pose_angle_deg - 90.0);
+    const std::string& name = rig.accelerometers[s].name;
+    const bool told = std::any_of(chosen.diagnostics.begin(), chosen.diagnostics.end(), [&](const Diagnostic& one) {
+      return one.code == "calibration.limb-poor" && one.place == name;
+    });
+    if (mount.method != kNominal && off > limits.good_angle_deg && !told) {
+      names.push_back(name);
+      worst = std::max(worst, off);
+    }
+  }
+  if (!names.empty()) {
+    const bool poor = worst > limits.usable_angle_deg;
+    chosen.diagnostics.push_back(
+        {poor ? Severity::kWarning : Severity::kInfo, poor ? "calibration.limb-poor" : "calibration.limb-usable",
+         fmt::format("the mounting poses were up to {:.1f}° from perpendicular: {}", worst, fmt::join(names, ", ")),
+         "hold the poses more exactly to make it better", "", -1.0});
+  }
+}
+
 std::string newest_date(const calibrate::RigCalibration& calibration) {
   std::string newest;
   for (const calibrate::SensorCalibration& sensor : calibration.sensors) {
@@ -269,6 +296,7 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
       add(chosen.diagnostics, library->diagnostics);
     }
     name_gaps(rig, chosen);
+    name_loose_poses(rig, chosen);
     return chosen;
   };
   if (automatic || wanted == "segments") {
@@ -292,6 +320,7 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
   if (library && library->calibration) {
     ChosenCalibration chosen{*library->calibration, "library", library->explanation, library->diagnostics};
     name_gaps(rig, chosen);
+    name_loose_poses(rig, chosen);
     return chosen;
   }
   if (wanted == "library") {

@@ -24,7 +24,6 @@ endforeach()
 
 if(LIMBWAVE_BUILD_STUDIO)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg 3DCore 3DRender 3DInput 3DExtras LinguistTools Test)
-  find_package(QCustomPlotQt6 REQUIRED)
 endif()
 
 if(LIMBWAVE_BUILD_TESTS)

@@ -30,7 +30,7 @@ class CountingSource : public LiveSource {
     }
     return done;
   }
-  [[nodiscard]] SourceCounters counters() const override { return {3, 7}; }
+  [[nodiscard]] SourceCounters counters() const override { return {3, 7, 5}; }
   [[nodiscard]] bool alive() const override { return next_ < frames_; }
   [[nodiscard]] double device_latency_s() const override { return 0.02; }
   [[nodiscard]] double newest_frame_time_s() const override { return 5.0; }

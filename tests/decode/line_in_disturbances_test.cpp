@@ -253,26 +253,29 @@ TEST(LineInDisturbances, APlugPulledAndPutBack) {
   EXPECT_EQ(last.number, std::llround((last.start_sample - decoded.cycles.front().start_sample) / last.period_samples));
 }
 
-TEST(LineInDisturbances, KnownGapsKeepTheClock) {
-  const LineInSignalSpec spec = moving();
-  const auto samples = test::make_line_in_signal(spec).interleaved;
-  LineInDecoder decoder(LineInFormat{}, SampleRate{kRate});
-  const std::size_t from = 2 * 90001;
-  const std::size_t to = from + 2 * 5432;
-  decoder.push(std::span(samples).first(from));
-  decoder.gap(SampleCount{5432});
-  decoder.push(std::span(samples).subspan(to));
-  decoder.finish();
-  const Decoded decoded{decoder.take_cycles(), decoder.take_diagnostics(), decoder.status()};
-  EXPECT_TRUE(decoded.findings.empty()) << decoded.texts();
-  EXPECT_LT(worst_error(spec, decoded), kNoiseBound);
-  int gaps = 0;
-  for (const LineInCycle& cycle : decoded.cycles) {
-    gaps += cycle.gap_before ? 1 : 0;
-    EXPECT_EQ(cycle.number,
-              std::llround((cycle.start_sample - decoded.cycles.front().start_sample) / cycle.period_samples));
+// What a session puts in the place of samples that it knows are lost.
+TEST(LineInDisturbances, SilenceForLostSamplesKeepsTheClock) {
+  for (const double corner : {1.0, 5.0, 20.0}) {
+    LineInSignalSpec spec = moving();
+    spec.coupling_hz = corner;
+    const auto whole = test::make_line_in_signal(spec).interleaved;
+    for (const std::size_t lost : {64U, 480U, 799U, 800U, 5432U, 40000U}) {
+      for (const std::size_t from : {90001U, 90117U, 90403U, 90688U}) {
+        auto samples = whole;
+        std::fill_n(samples.begin() + static_cast<std::ptrdiff_t>(2 * from), 2 * lost, 0.0F);
+        const Decoded decoded = test::decode_signal(samples, kRate);
+        SCOPED_TRACE(testing::Message() << corner << " Hz, " << lost << " from " << from << "\n" << decoded.texts());
+        EXPECT_LT(worst_error(spec, decoded), kNoiseBound);
+        for (const LineInCycle& cycle : decoded.cycles) {
+          const double cycles = (cycle.start_sample - decoded.cycles.front().start_sample) / cycle.period_samples;
+          EXPECT_EQ(cycle.number, std::llround(cycles));
+          const bool silent = cycle.start_sample < static_cast<double>(from + lost) &&
+                              cycle.start_sample + cycle.period_samples > static_cast<double>(from);
+          EXPECT_FALSE(cycle.valid && silent && cycle.uncertain == 0 && lost > 100) << cycle.start_sample;
+        }
+      }
+    }
   }
-  EXPECT_EQ(gaps, 1);
 }
 
 TEST(LineInDisturbances, SamplesThatAreNotNumbers) {

@@ -33,8 +33,9 @@ struct ErrorFigures {
 /// What the wire and the decoder add: decoded specific force against what the sensors felt, per frame and sensor, with
 /// no smoothing. For simulations without sensor errors, whose nominal calibration is exact.
 struct WireErrors {
-  ErrorFigures acceleration_g;
-  ErrorFigures inclination_deg;
+  ErrorFigures acceleration_g;   ///< Of all usable readings.
+  ErrorFigures inclination_deg;  ///< Of those whose force has a direction: at least half of g.
+  double usable = 0.0;           ///< Readings that were usable, of all cycles that the board really made.
 };
 
 inline WireErrors wire_errors(const take::Take& take, const solve::DecodedTake& decoded) {
@@ -60,7 +61,23 @@ inline WireErrors wire_errors(const take::Take& take, const solve::DecodedTake& 
       errors.inclination_deg.add(degrees(geometry::angle_between(measured, real)));
     }
   }
+  errors.usable = static_cast<double>(errors.acceleration_g.count) /
+                  static_cast<double>(truth.sensors() * truth.cycles(begin, end));
   return errors;
+}
+
+/// Readings of the worst sensor that were usable, of all cycles that the board really made in the capture.
+inline double usable_share(const take::Take& take, const solve::Solve& solve) {
+  const SensorTruth truth(take.folder);
+  const SampleRate rate = take.info.format.rate;
+  const take::TakeSegment capture = take.info.capture();
+  const std::size_t cycles =
+      truth.cycles(rate.seconds(capture.first).value, rate.seconds(capture.first + capture.count).value);
+  double least = 1.0;
+  for (const solve::SensorQuality& sensor : solve.report.sensors) {
+    least = std::min(least, sensor.usable);
+  }
+  return least * static_cast<double>(solve.trust.front().size()) / static_cast<double>(cycles);
 }
 
 /// Inclination of every sensor's segment while poses are held, against the truth.

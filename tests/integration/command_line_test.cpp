@@ -152,6 +152,70 @@ TEST_F(CommandLineContract, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
   }
 }
 
+TEST_F(CommandLineContract, CalibrationSaysWhatItLacksAndKeepsNothingOfAFailure) {
+  test::write_bytes(folder / "a.wav", stereo_wav(96000));
+  ASSERT_EQ(limbwave.run({"import", "a.take", "a.wav"}).status, 0);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> refused{
+      {{"range", "a.take", "--from", "1"}, "--to"},
+      {{"range", "a.take", "--from", "2", "--to", "1"}, "later end"},
+      {{"limb", "a.take", "--from", "0", "--to", "1"}, "--second-from"},
+      {{"limb", "a.take", "--from", "0", "--to", "1", "--second-from", "1", "--second-to", "2"}, "\"Right arm\""},
+      {{"limb", "a.take", "--group", "Tail"}, "\"Torso\""},
+      {{"limb", "a.take", "--sensor", "tail"}, "upper arm"}};
+  for (auto [arguments, expected] : refused) {
+    arguments.insert(arguments.begin(), "calibrate");
+    const auto outcome = limbwave.run(arguments);
+    EXPECT_EQ(outcome.status, 1);
+    expect_one_line(outcome);
+    EXPECT_THAT(outcome.errors, HasSubstr(expected));
+  }
+  const auto info = nlohmann::json::parse(limbwave.run({"info", "a.take", "--json"}).output);
+  EXPECT_EQ(info.at("calibrated"), false);
+  EXPECT_EQ(info.at("groups").size(), 2U);
+  EXPECT_THAT(limbwave.run({"info", "a.take"}).output,
+              AllOf(HasSubstr("Right arm"), HasSubstr("fingers"), HasSubstr("not calibrated")));
+}
+
+// A take that simulates the wearer's session as a recording without segments: times alone say what is what.
+TEST_F(CommandLineContract, CalibratesByTimesWhatASoundCardRecorded) {
+  ASSERT_EQ(limbwave.run({"simulate", "made.take", "--motion", "reach", "--errors", "accurate", "--seed", "5"}).status,
+            0);
+  const auto made = nlohmann::json::parse(limbwave.run({"info", "made.take", "--json"}).output);
+  ASSERT_EQ(limbwave.run({"import", "session.take", "made.take/signal.wav", "--subject", "Anna"}).status, 0);
+  const auto times = [&](const std::string& segment, const std::string& from, const std::string& to) {
+    for (const nlohmann::json& candidate : made.at("segments")) {
+      if (candidate.at("name") == segment) {
+        const double start = candidate.at("start_s").get<double>();
+        return std::vector<std::string>{from, std::to_string(start), to,
+                                        std::to_string(start + candidate.at("seconds").get<double>())};
+      }
+    }
+    throw std::runtime_error("no segment " + segment);
+  };
+  std::vector<std::string> range{"calibrate", "range", "session.take"};
+  const auto turns = times("range", "--from", "--to");
+  range.insert(range.end(), turns.begin(), turns.end());
+  const auto ranged = limbwave.run(range);
+  EXPECT_EQ(ranged.status, 0) << ranged.errors;
+  EXPECT_THAT(ranged.output, testing::Not(HasSubstr("good: good")));
+  for (const std::string group : {"Right arm", "Torso"}) {
+    std::vector<std::string> limb{"calibrate", "limb", "session.take", "--group", group};
+    const auto first = times("pose:" + group + ":first", "--from", "--to");
+    const auto second = times("pose:" + group + ":second", "--second-from", "--second-to");
+    limb.insert(limb.end(), first.begin(), first.end());
+    limb.insert(limb.end(), second.begin(), second.end());
+    const auto outcome = limbwave.run(limb);
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  }
+  const auto info = nlohmann::json::parse(limbwave.run({"info", "session.take", "--json"}).output);
+  EXPECT_EQ(info.at("calibrated"), true);
+  // The next recording of the same person and board finds it in the library.
+  ASSERT_EQ(limbwave.run({"import", "next.take", "made.take/signal.wav", "--subject", "Anna"}).status, 0);
+  const auto solved = limbwave.run({"solve", "next.take"});
+  EXPECT_EQ(solved.status, 0) << solved.errors;
+  EXPECT_THAT(solved.output, HasSubstr("library")) << solved.output;
+}
+
 TEST_F(CommandLineContract, OutputThatCannotBeWrittenIsAFailure) {
   test::write_bytes(folder / "a.wav", stereo_wav(4800));
   ASSERT_EQ(limbwave.run({"import", "a.take", "a.wav"}).status, 0);

@@ -15,8 +15,12 @@ using testing_support::SensorTruth;
 using testing_support::simulated;
 using testing_support::still_pose_errors;
 using testing_support::TemporaryFolder;
+using testing_support::usable_share;
 using testing_support::wire_errors;
 using testing_support::WireErrors;
+
+// A decoder that left out whatever is difficult would meet any bar.
+constexpr double kUsable = 0.995;
 
 simulate::SimulateSettings settings(const std::string& motion, const std::string& errors, std::uint64_t seed) {
   simulate::SimulateSettings s;
@@ -37,6 +41,7 @@ TEST(LineInAccuracy, WithoutErrorsAccelerationsAreExact) {
     const solve::DecodedTake decoded = require(solve::decode_take(take, {}, {}));
     const WireErrors errors = wire_errors(take, decoded);
     ASSERT_GT(errors.acceleration_g.count, 1000U);
+    EXPECT_GE(errors.usable, kUsable) << motion;
     RecordProperty(std::string(motion) + "_max_g", std::to_string(errors.acceleration_g.max));
     EXPECT_LE(errors.acceleration_g.max, 1e-4) << motion;
   }
@@ -53,6 +58,7 @@ TEST(LineInAccuracy, WithoutErrorsOrientationsAreExact) {
     solve::Solve solve = require(solve::solve_take(take, wanted, {}));
     const ErrorFigures inclination = still_pose_errors(take, solve);
     ASSERT_GT(inclination.count, 1000U);
+    EXPECT_GE(usable_share(take, solve), kUsable) << calibration;
     RecordProperty(std::string("max_deg_") + calibration, std::to_string(inclination.max));
     EXPECT_LE(inclination.max, 0.01) << calibration;
   }
@@ -115,6 +121,8 @@ TEST_P(Electronics, AddsLittle) {
     const solve::DecodedTake decoded = require(solve::decode_take(take, {}, {}));
     const WireErrors errors = wire_errors(take, decoded);
     ASSERT_GT(errors.inclination_deg.count, 1000U);
+    EXPECT_GE(errors.usable, kUsable) << motion;
+    RecordProperty(std::string(motion) + "_usable", std::to_string(errors.usable));
     RecordProperty(std::string(motion) + "_mean_deg", std::to_string(errors.inclination_deg.mean));
     RecordProperty(std::string(motion) + "_max_deg", std::to_string(errors.inclination_deg.max));
     EXPECT_LE(errors.inclination_deg.mean, 0.15) << motion;
@@ -131,6 +139,7 @@ TEST(LineInAccuracy, AccurateCalibrationReachesTheBar) {
     const solve::Solve solve = require(solve::solve_take(take, {}, {}));
     const ErrorFigures figures = still_pose_errors(take, solve);
     ASSERT_GT(figures.count, 1000U);
+    EXPECT_GE(usable_share(take, solve), kUsable) << "seed " << seed;
     EXPECT_LE(figures.mean, 0.5) << "seed " << seed;
     EXPECT_LE(figures.max, 1.5) << "seed " << seed;
   }
@@ -142,6 +151,7 @@ TEST(LineInAccuracy, QuickCalibrationIsNoWorseThanThePaper) {
   const solve::Solve solve = require(solve::solve_take(take, {}, {}));
   const ErrorFigures figures = still_pose_errors(take, solve);
   ASSERT_GT(figures.count, 1000U);
+  EXPECT_GE(usable_share(take, solve), kUsable);
   EXPECT_LE(figures.mean, 6.0);
   EXPECT_LE(figures.max, 13.0);
 }

@@ -11,6 +11,7 @@
 #include "geometry/so3.h"
 #include "interchange/bvh_reader.h"
 #include "interchange/random_clip.h"
+#include "interchange/skinned_clip.h"
 
 namespace limbwave::interchange {
 namespace {
@@ -120,6 +121,17 @@ TEST(GltfClip, RefusesWhatCannotBeWritten) {
   EXPECT_FALSE(glb_from_clip(clip).ok());
   clip = test::random_clip(2, 4, 60.0, 26);
   clip.root_position.times[0] = -0.5;
+  EXPECT_FALSE(glb_from_clip(clip).ok());
+  // What it has no place for is not dropped silently.
+  clip = test::random_clip(2, 4, 60.0, 26);
+  clip.meshes = {test::tetrahedra(clip, 27)};
+  EXPECT_FALSE(glb_from_clip(clip).ok());
+  clip = test::random_clip(2, 4, 60.0, 26);
+  clip.joints[1].position = clip.root_position;
+  EXPECT_FALSE(glb_from_clip(clip).ok());
+  clip = test::random_clip(2, 4, 60.0, 26);
+  clip.joints[1].rotation.arriving.assign(4, Eigen::Vector3d::Zero());
+  clip.joints[1].rotation.leaving = clip.joints[1].rotation.arriving;
   EXPECT_FALSE(glb_from_clip(clip).ok());
 }
 

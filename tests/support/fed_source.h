@@ -12,7 +12,9 @@ namespace limbwave::test {
 
 class FedSource : public acquire::LiveSource {
  public:
-  explicit FedSource(const acquire::StreamFormat& format) : format_(format) {}
+  /// `block_frames`: as many at most are given at once; 0: as many as fit.
+  explicit FedSource(const acquire::StreamFormat& format, std::size_t block_frames = 0)
+      : format_(format), block_frames_(block_frames) {}
 
   /// Makes these frames available, at once.
   void feed(std::span<const std::byte> bytes) {
@@ -46,10 +48,17 @@ class FedSource : public acquire::LiveSource {
   std::size_t pull(std::span<std::byte> out) override {
     const std::scoped_lock lock(mutex_);
     const std::size_t frame = format_.bytes_per_frame();
-    const std::size_t count = std::min(waiting_.size() - pulled_, out.size() / frame * frame);
+    const std::size_t most = block_frames_ > 0 ? std::min(block_frames_ * frame, out.size()) : out.size();
+    const std::size_t count = std::min(waiting_.size() - pulled_, most / frame * frame);
     std::copy_n(waiting_.begin() + static_cast<std::ptrdiff_t>(pulled_), count, out.begin());
     pulled_ += count;
     return count;
+  }
+  void wait(double timeout_s) override {
+    if (const std::scoped_lock lock(mutex_); pulled_ < waiting_.size()) {
+      return;
+    }
+    acquire::LiveSource::wait(timeout_s);
   }
   [[nodiscard]] acquire::SourceCounters counters() const override {
     const std::scoped_lock lock(mutex_);
@@ -65,6 +74,7 @@ class FedSource : public acquire::LiveSource {
 
  private:
   acquire::StreamFormat format_;
+  std::size_t block_frames_;
   mutable std::mutex mutex_;
   std::vector<std::byte> waiting_;
   std::size_t pulled_ = 0;

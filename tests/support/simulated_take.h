@@ -48,6 +48,7 @@ class SensorTruth {
         forces.emplace_back(f.at(0).get<double>(), f.at(1).get<double>(), f.at(2).get<double>());
       }
     }
+    cycle_starts_ = json.at("cycles").at("start_s").get<std::vector<double>>();
     for (const nlohmann::json& segment : json.at("segments")) {
       std::vector<Eigen::Quaterniond>& rotations = rotations_.emplace_back();
       for (const nlohmann::json& q : segment.at("q_WL")) {
@@ -61,6 +62,11 @@ class SensorTruth {
   }
 
   [[nodiscard]] std::size_t sensors() const { return forces_.size(); }
+  /// Cycles of the multiplexer that begin from `begin_s` (inclusive) to `end_s` (exclusive), seconds of the take.
+  [[nodiscard]] std::size_t cycles(double begin_s, double end_s) const {
+    const auto first = std::lower_bound(cycle_starts_.begin(), cycle_starts_.end(), begin_s);
+    return static_cast<std::size_t>(std::lower_bound(first, cycle_starts_.end(), end_s) - first);
+  }
   [[nodiscard]] double duration() const { return static_cast<double>(forces_.front().size() - 1) / rate_hz_; }
 
   /// Specific force, m/s², sensor frame, without the sensor's own errors: by six-point Lagrange interpolation.
@@ -106,6 +112,7 @@ class SensorTruth {
   double rate_hz_ = 0.0;
   std::vector<std::vector<Eigen::Vector3d>> forces_;
   std::vector<std::vector<Eigen::Quaterniond>> rotations_;
+  std::vector<double> cycle_starts_;
 };
 
 /// Simulates and opens.

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <QtGlobal>
-#include <array>
 
 // clang-format off
 namespace limbwave::ui {
 
-inline constexpr std::array kCoreTexts{
+inline constexpr const char* kCoreTexts[] = {
     // core/base
     QT_TRANSLATE_NOOP("Core", "cannot be written"),
     QT_TRANSLATE_NOOP("Core", "writing failed"),
@@ -163,22 +162,35 @@ inline constexpr std::array kCoreTexts{
     QT_TRANSLATE_NOOP("Core", "is \"%1\", which is no accelerometer of this rig"),
     QT_TRANSLATE_NOOP("Core", "is empty"),
     QT_TRANSLATE_NOOP("Core", "is not perpendicular to that of the first pose"),
-    QT_TRANSLATE_NOOP("Core", "is \"%1\", which another accelerometer has already"),
     QT_TRANSLATE_NOOP("Core", "has %1 entries, but %2 slots carry %3 sensors"),
+    QT_TRANSLATE_NOOP("Core", "is more than 10 m off"),
+    QT_TRANSLATE_NOOP("Core", "lengths are in metres"),
+    QT_TRANSLATE_NOOP("Core", "is \"%1\", which another %2 has already"),
+    QT_TRANSLATE_NOOP("Core", "has a pulse_hz of %1, too close to half the sample rate"),
+    QT_TRANSLATE_NOOP("Core", "use a rate_hz of at least 2.5 times pulse_hz"),
+    QT_TRANSLATE_NOOP("Core", "has pulses longer than half a slot"),
+    QT_TRANSLATE_NOOP("Core", "use fewer pulse_cycles or more slot_samples"),
+    QT_TRANSLATE_NOOP("Core", "has %1 entries, but %2 microphones have a wire each"),
+    QT_TRANSLATE_NOOP("Core", "is \"%1\", but the microphone of this wire is \"%2\""),
     QT_TRANSLATE_NOOP("Core", "is \"%1\", which is no segment of skeleton \"%2\""),
-    QT_TRANSLATE_NOOP("Core", "%1: /accelerometers/%2/segment"),
+    QT_TRANSLATE_NOOP("Core", "%1: /%2/%3/segment"),
     QT_TRANSLATE_NOOP("Core", "name one of its segments"),
+    QT_TRANSLATE_NOOP("Core", "stands beside line_in"),
+    QT_TRANSLATE_NOOP("Core", "a rig has one or the other"),
+    QT_TRANSLATE_NOOP("Core", "has %1 entries"),
+    QT_TRANSLATE_NOOP("Core", "a driver box has 1 to 64 wires"),
+    QT_TRANSLATE_NOOP("Core", "a driver box has up to 64 sources"),
     QT_TRANSLATE_NOOP("Core", "use fixed, hinge, universal or spherical"),
     QT_TRANSLATE_NOOP("Core", "is nearly parallel to axis"),
     QT_TRANSLATE_NOOP("Core", "a universal joint has two different axes"),
     QT_TRANSLATE_NOOP("Core", "is larger than maximum_deg"),
+    QT_TRANSLATE_NOOP("Core", "lies more than 10 m off"),
     QT_TRANSLATE_NOOP("Core", "is \"%1\", which another segment has already"),
     QT_TRANSLATE_NOOP("Core", "has no parent"),
     QT_TRANSLATE_NOOP("Core", "only the first segment, the root, has none"),
     QT_TRANSLATE_NOOP("Core", "is \"%1\", which no earlier segment is"),
     QT_TRANSLATE_NOOP("Core", "list parents before children"),
     QT_TRANSLATE_NOOP("Core", "is longer than 10 m"),
-    QT_TRANSLATE_NOOP("Core", "lengths are in metres"),
     QT_TRANSLATE_NOOP("Core", "a skeleton has at least one segment"),
     QT_TRANSLATE_NOOP("Core", "has more than 512 segments"),
     QT_TRANSLATE_NOOP("Core", "is not a direction: its length is zero"),
@@ -408,6 +420,8 @@ inline constexpr std::array kCoreTexts{
     QT_TRANSLATE_NOOP("Core", "the mounting of %1"),
     QT_TRANSLATE_NOOP("Core", "never calibrated, so from the data sheet: %1"),
     QT_TRANSLATE_NOOP("Core", "calibrate these sensors, then solve again"),
+    QT_TRANSLATE_NOOP("Core", "the mounting poses were up to %1° from perpendicular: %2"),
+    QT_TRANSLATE_NOOP("Core", "hold the poses more exactly to make it better"),
     QT_TRANSLATE_NOOP("Core", "an unknown date"),
     QT_TRANSLATE_NOOP("Core", "has no calibration in it"),
     QT_TRANSLATE_NOOP("Core", "calibrate it, or choose another --calibration"),

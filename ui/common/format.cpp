@@ -34,8 +34,9 @@ QString format_clock_tenths(double seconds) {
 QString format_clock_hundredths(double seconds) {
   const double safe = std::isfinite(seconds) ? std::max(0.0, seconds) : 0.0;
   const auto total = std::llround(safe * 100.0);
+  const auto whole = total / 100;
   return QStringLiteral("%1%2%3")
-      .arg(format_clock(static_cast<double>(total / 100)), QLocale().decimalPoint())
+      .arg(format_clock(static_cast<double>(whole)), QLocale().decimalPoint())
       .arg(total % 100, 2, 10, QLatin1Char('0'));
 }
 

@@ -94,43 +94,50 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   wearer_timer_.stop();
   problem_.clear();
   remedy_.clear();
-  Result<solve::LiveSettings> settings = services_.load_rig(rig, wearer_.toStdString(), device_id.toStdString());
-  if (!settings) {
-    fail(settings.error());
-    set_state(LiveState::kOff);
-    return false;
-  }
-  settings_ = std::move(settings).value();
   set_state(LiveState::kOpening);
   const std::uint64_t attempt = ++opening_;
-  using Backend = std::shared_ptr<LiveBackend>;
-  auto work = [open_device = services_.open_device, make_live = services_.make_live, id = device_id.toStdString(), rig,
-               setup, live_settings = settings_, bell = bell_](const Progress&) -> Result<Backend> {
+  struct Opened {
+    solve::LiveSettings settings;
+    std::shared_ptr<LiveBackend> backend;
+  };
+  auto work = [open_device = services_.open_device, make_live = services_.make_live, load_rig = services_.load_rig,
+               id = device_id.toStdString(), rig, name = wearer_.toStdString(), setup,
+               bell = bell_](const Progress&) -> Result<Opened> {
+    // Rigs and the calibration library stand on the disk, maybe one that sleeps.
+    Result<solve::LiveSettings> settings = load_rig(rig, name, id);
+    if (!settings) {
+      return settings.error();
+    }
     auto source = open_device(id, setup, rig);
     if (!source) {
       return source.error();
     }
-    Backend backend = make_live(std::move(source).value(), live_settings);
-    backend->on_figure([bell] { bell->ring(); });
-    if (Status started = backend->start(); !started) {
+    Opened opened{std::move(settings).value(), nullptr};
+    opened.backend = make_live(std::move(source).value(), opened.settings);
+    opened.backend->on_figure([bell] { bell->ring(); });
+    if (Status started = opened.backend->start(); !started) {
       return started.error();
     }
-    return backend;
+    return opened;
   };
-  jobs_.compute<Backend>(tr("Opening %1").arg(device_title), this, std::move(work),
-                         [this, attempt](Result<Backend> result) {
-                           if (attempt != opening_) {
-                             return;
-                           }
-                           if (!result) {
-                             fail(result.error());
-                             set_state(LiveState::kOff);
-                             return;
-                           }
-                           backend_ = std::move(result).value();
-                           set_state(LiveState::kRunning);
-                           poll();
-                         });
+  jobs_.compute<Opened>(tr("Opening %1").arg(device_title), this, std::move(work),
+                        [this, attempt](Result<Opened> result) {
+                          if (attempt != opening_) {
+                            return;
+                          }
+                          if (!result) {
+                            fail(result.error());
+                            set_state(LiveState::kOff);
+                            return;
+                          }
+                          settings_ = std::move(result->settings);
+                          backend_ = std::move(result->backend);
+                          set_state(LiveState::kRunning);
+                          if (wanted_wearer_ != wearer_) {
+                            wearer_timer_.start();  // Somebody else was named meanwhile.
+                          }
+                          poll();
+                        });
   return true;
 }
 
@@ -291,7 +298,7 @@ void LiveModel::set_wearer(const QString& wearer) {
 }
 
 void LiveModel::load_wearer() {
-  if (recording_ || starting_ || state_ == LiveState::kOff || wanted_wearer_ == wearer_) {
+  if (recording_ || starting_ || state_ != LiveState::kRunning || wanted_wearer_ == wearer_) {
     return;
   }
   jobs_.compute<solve::LiveSettings>(

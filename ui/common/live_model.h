@@ -36,7 +36,7 @@ class LiveModel : public QObject {
   [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const;
   /// The newest state; null while nothing has been captured.
   [[nodiscard]] const std::shared_ptr<const solve::LiveSnapshot>& snapshot() const { return snapshot_; }
-  /// Rig, skeleton and calibration of the running capture.
+  /// Rig, skeleton and calibration of the running capture; read when it is opened.
   [[nodiscard]] const solve::LiveSettings& settings() const { return settings_; }
   [[nodiscard]] const QString& device_id() const { return device_id_; }
   [[nodiscard]] const QString& device_title() const { return device_title_; }
@@ -68,6 +68,7 @@ class LiveModel : public QObject {
   [[nodiscard]] const QString& wearer() const { return wearer_; }
   /// The device was unplugged: what it last sent still shows, and it can be opened again.
   [[nodiscard]] bool lost() const { return running() && snapshot_ && !snapshot_->source_alive; }
+  /// Rotations about the vertical, per segment; faces go through LiveHeadings (workspaces/solve).
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings);
 
   /// A viewer has shown a pose: the times of its figure, with `taken` and `drawn`.

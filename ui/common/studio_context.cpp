@@ -2,8 +2,16 @@
 
 #include <QDir>
 #include <QStorageInfo>
+#include <QThreadPool>
+#include <atomic>
 
 namespace limbwave::ui {
+
+/// Bytes free on the disk of the takes folder, as far as it has answered.
+struct StudioContext::DiskSpace {
+  std::atomic<qint64> free{-1};
+  std::atomic<bool> asking{false};
+};
 
 StudioContext::StudioContext(StudioServices services, const QString& settings_folder, QObject* parent)
     : QObject(parent),
@@ -14,6 +22,7 @@ StudioContext::StudioContext(StudioServices services, const QString& settings_fo
       live_(services_, jobs_),
       saves_(jobs_),
       markers_(document_, live_, saves_, undo_stack_) {
+  disk_ = std::make_shared<DiskSpace>();
   QDir().mkpath(settings_folder);
   connect(&document_, &TakeDocument::changed, this, [this](bool other) {
     if (other) {
@@ -60,7 +69,10 @@ QString StudioContext::takes_folder() const {
   if (folder.isEmpty()) {
     folder = QDir::home().filePath(QStringLiteral("Limbwave"));
   }
-  QDir().mkpath(folder);
+  if (folder != made_folder_) {
+    QDir().mkpath(folder);
+    made_folder_ = folder;
+  }
   return folder;
 }
 
@@ -70,17 +82,27 @@ double StudioContext::disk_left_s() const {
     return snapshot->disk_left_s;
   }
   if (!disk_asked_.isValid() || disk_asked_.elapsed() > 1000) {
-    disk_free_ = QStorageInfo(takes_folder()).bytesAvailable();
     disk_asked_.start();
+    if (!disk_->asking.exchange(true)) {
+      QThreadPool::globalInstance()->start([disk = disk_, folder = takes_folder()] {
+        disk->free = QStorageInfo(folder).bytesAvailable();
+        disk->asking = false;
+      });
+    }
+  }
+  const qint64 free = disk_->free;
+  if (free < 0) {
+    return -1.0;
   }
   const bool known = snapshot && snapshot->format.rate.hz > 0.0;
   const double bytes_per_second =
       known ? snapshot->format.rate.hz * static_cast<double>(snapshot->format.bytes_per_frame()) : 48000.0 * 4.0;
-  return static_cast<double>(disk_free_) / bytes_per_second;
+  return static_cast<double>(free) / bytes_per_second;
 }
 
 void StudioContext::set_takes_folder(const QString& folder) {
   disk_asked_.invalidate();
+  disk_ = std::make_shared<DiskSpace>();
   settings_.setValue(QStringLiteral("takes/folder"), folder);
 }
 

@@ -52,7 +52,8 @@ class StudioContext : public QObject {
   [[nodiscard]] QString takes_folder() const;
   void set_takes_folder(const QString& folder);
   /// How long recording into that folder lasts until its disk is full, seconds: as the session says while it records,
-  /// else from the free space at the running capture's rate, or at 48 kHz in 16 bit stereo.
+  /// else from the free space at the running capture's rate, or at 48 kHz in 16 bit stereo. Negative while it is not
+  /// known: the disk is asked beside the window, since it may be a network's or asleep.
   [[nodiscard]] double disk_left_s() const;
 
   /// Shows a workspace ("capture", "calibrate", "solve", "export", "welcome") and there the place of a topic: "record",
@@ -76,8 +77,10 @@ class StudioContext : public QObject {
   LiveModel live_;
   SaveQueue saves_;
   MarkerModel markers_;
-  mutable QElapsedTimer disk_asked_;
-  mutable qint64 disk_free_ = 0;  ///< Bytes, asked at most once a second.
+  struct DiskSpace;
+  mutable QElapsedTimer disk_asked_;         ///< At most once a second.
+  mutable std::shared_ptr<DiskSpace> disk_;  ///< Of the takes folder; outlives this in the hands of who asks.
+  mutable QString made_folder_;              ///< Made already.
 };
 
 }  // namespace limbwave::ui

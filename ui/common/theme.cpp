@@ -48,6 +48,11 @@ QMainWindow::separator:hover { background: %8; }
 QToolBar { border: none; padding: 0; margin: 0; spacing: 0; background: %2; }
 QDockWidget { color: %7; }
 QDockWidget::title { background: %1; padding: 8px 8px 4px 16px; text-align: left; }
+QDockWidget::close-button, QDockWidget::float-button { border: none; background: transparent; padding: 0; icon-size: 16px;
+  subcontrol-origin: margin; subcontrol-position: top right; position: absolute; top: 8px; width: 20px; height: 20px; }
+QDockWidget::close-button { right: 12px; }
+QDockWidget::float-button { right: 40px; }
+QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: %4; border-radius: 3px; }
 QFrame[card="true"] { background: %2; border: none; border-radius: 6px; }
 QWidget[strip="true"] { background: %2; }
 QLabel[role="dim"] { color: %7; }
@@ -60,6 +65,8 @@ QPushButton:hover, QToolButton:hover { background: %11; }
 QPushButton:pressed, QToolButton:pressed { background: %5; }
 QPushButton:focus, QToolButton:focus { border: 1px solid %8; }
 QPushButton:disabled, QToolButton:disabled { color: %7; background: %2; }
+QPushButton:disabled { border: 1px solid %5; }
+QPushButton[flat="true"]:disabled { border: 1px solid transparent; background: transparent; }
 QPushButton[primary="true"] { background: %8; color: %9; font-weight: 600; }
 QPushButton[primary="true"]:hover { background: %12; }
 QPushButton[primary="true"]:focus { border: 1px solid %6; }
@@ -112,6 +119,7 @@ QTabWidget::pane { border: none; }
 QSlider::groove:horizontal { background: %5; height: 4px; border-radius: 2px; }
 QSlider::handle:horizontal { background: %6; width: 12px; margin: -4px 0; border-radius: 6px; }
 QSlider::handle:horizontal:focus { background: %8; }
+QSlider::handle:horizontal:disabled { background: %7; }
 )")
       .arg(c.window.name(), c.panel.name(), c.base.name(), c.raised.name(), c.line.name(), c.text.name(), c.dim.name(),
            c.accent.name(), c.accent_text.name())

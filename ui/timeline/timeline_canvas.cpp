@@ -19,6 +19,7 @@ TimelineCanvas::TimelineCanvas(TimeModel& time, KeyEditor& keys, QWidget* parent
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Timeline"));
+  setContextMenuPolicy(Qt::DefaultContextMenu);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   const auto redraw = [this] { update(); };
   connect(&time_, &TimeModel::extent_changed, this, redraw);
@@ -34,6 +35,9 @@ TimelineCanvas::TimelineCanvas(TimeModel& time, KeyEditor& keys, QWidget* parent
 
 void TimelineCanvas::set_markers(std::vector<TimelineMarker> markers) {
   markers_ = std::move(markers);
+  if (drag_ == Drag::kMarker && editable_marker(dragged_marker_) == nullptr) {
+    drag_ = Drag::kNone;
+  }
   update();
 }
 
@@ -92,11 +96,8 @@ TimelineCanvas::Hit TimelineCanvas::hit_at(const QPointF& at) const {
   Hit found;
   const TimeScale s = scale();
   if (at.y() >= kRulerHeight && at.y() < lanes_top()) {
-    std::vector<double> xs;
-    for (const TimelineMarker& marker : markers_) {
-      xs.push_back(s.x(marker.time_s));
-    }
-    found.marker = hit(xs, at.x(), kKeyReach);
+    found.events = true;
+    found.marker = marker_at(at.x());
     return found;
   }
   const std::vector<int> lanes = visible_lanes();
@@ -155,9 +156,17 @@ void TimelineCanvas::mousePressEvent(QMouseEvent* event) {
   }
   const Hit found = hit_at(at);
   if (found.marker >= 0) {
-    const TimelineMarker& marker = markers_[static_cast<std::size_t>(found.marker)];
+    const TimelineMarker marker = markers_[static_cast<std::size_t>(found.marker)];
     time_.set_playhead(marker.time_s);
-    Q_EMIT marker_clicked(marker.index);
+    if (marker.number > 0) {
+      Q_EMIT marker_clicked(marker.number);
+    }
+    if (editable_marker(marker.number) != nullptr) {
+      drag_ = Drag::kMarker;
+      dragged_marker_ = marker.number;
+      dragged_to_s_ = -1.0;
+      drag_from_s_ = scale().time(at.x()) - marker.time_s;
+    }
     return;
   }
   if (found.lane >= 0) {
@@ -181,9 +190,13 @@ void TimelineCanvas::mousePressEvent(QMouseEvent* event) {
 void TimelineCanvas::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->position();
   switch (drag_) {
-    case Drag::kNone:
-      setCursor(hit_at(at).key.lane >= 0 ? Qt::SizeHorCursor : Qt::ArrowCursor);
+    case Drag::kNone: {
+      const Hit found = hit_at(at);
+      const bool marker =
+          found.marker >= 0 && editable_marker(markers_[static_cast<std::size_t>(found.marker)].number) != nullptr;
+      setCursor(found.key.lane >= 0 || marker ? Qt::SizeHorCursor : Qt::ArrowCursor);
       break;
+    }
     case Drag::kScrub:
       scrub(at.x());
       break;
@@ -200,37 +213,51 @@ void TimelineCanvas::mouseMoveEvent(QMouseEvent* event) {
       time_.set_visible(begin, begin + 2 * half);
       break;
     }
-    case Drag::kKeys: {
-      if (std::abs(at.x() - pressed_at_.x()) < 3 && dragged_by_s_ == 0.0) {
-        break;
-      }
-      double wanted = scale().time(at.x()) - drag_from_s_;
-      if (!keys_.selected().empty() && (event->modifiers() & Qt::AltModifier) == 0) {
-        wanted = snapped_to_frame(wanted, time_.frame_s());
-      }
-      const auto before = keys_.selected();
-      if (before.empty()) {
-        break;
-      }
-      const double first = keys_.model().find(before.front().lane, before.front().id)->time_s;
-      keys_.move(before, wanted - dragged_by_s_, gesture_);
-      // Keys that were held back catch up once there is room again.
-      dragged_by_s_ += keys_.model().find(before.front().lane, before.front().id)->time_s - first;
+    case Drag::kKeys:
+      drag_keys(*event);
       break;
-    }
+    case Drag::kMarker:
+      drag_marker(*event);
+      break;
   }
   last_at_ = at;
 }
 
+void TimelineCanvas::drag_keys(const QMouseEvent& event) {
+  const QPointF at = event.position();
+  if (std::abs(at.x() - pressed_at_.x()) < kDragStarts && dragged_by_s_ == 0.0) {
+    return;
+  }
+  double wanted = scale().time(at.x()) - drag_from_s_;
+  const auto before = keys_.selected();
+  if (before.empty()) {
+    return;
+  }
+  if ((event.modifiers() & Qt::AltModifier) == 0) {
+    wanted = snapped_to_frame(wanted, time_.frame_s());
+  }
+  const double first = keys_.model().find(before.front().lane, before.front().id)->time_s;
+  keys_.move(before, wanted - dragged_by_s_, gesture_);
+  // Keys that were held back catch up once there is room again.
+  dragged_by_s_ += keys_.model().find(before.front().lane, before.front().id)->time_s - first;
+}
+
 void TimelineCanvas::mouseReleaseEvent(QMouseEvent* /*event*/) {
+  if (drag_ == Drag::kMarker) {
+    drop_marker();
+  }
   drag_ = Drag::kNone;
 }
 
 void TimelineCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
   const Hit found = hit_at(event->position());
-  if (event->button() == Qt::LeftButton && found.lane >= 0 && found.key.lane < 0 &&
-      event->position().x() >= kLabelWidth) {
-    const double time = scale().time(event->position().x());
+  const double time = scale().time(event->position().x());
+  const bool left = event->button() == Qt::LeftButton && event->position().x() >= kLabelWidth;
+  if (left && found.marker >= 0) {
+    edit_marker(markers_[static_cast<std::size_t>(found.marker)].number);
+  } else if (left && found.events && markers_editable_ && time >= 0.0 && time <= time_.duration_s()) {
+    Q_EMIT marker_wanted(snapped_to_frame(time, time_.frame_s()));
+  } else if (left && found.lane >= 0 && found.key.lane < 0) {
     keys_.set_value(found.lane, time, keys_.model().value_at(found.lane, time));
   } else {
     mousePressEvent(event);
@@ -271,6 +298,8 @@ bool TimelineCanvas::event(QEvent* event) {
   } else if (found.marker >= 0) {
     const TimelineMarker& marker = markers_[static_cast<std::size_t>(found.marker)];
     text = tr("%1 at %2 s").arg(marker.text, QString::number(marker.time_s, 'f', 3));
+  } else if (found.events && markers_editable_) {
+    text = tr("Double-click sets a marker");
   } else if (found.lane >= 0) {
     text = tr("%1: double-click sets a key").arg(keys_.model().lane_name(found.lane));
   }

@@ -14,6 +14,7 @@ namespace limbwave::ui {
 namespace {
 
 constexpr double kClosestKeys = 2.0;  // pixels
+constexpr double kMarkerText = 160.0;
 
 void paint_diamond(QPainter& painter, const QPointF& at, double half, const QColor& fill, const QColor& edge) {
   QPainterPath path;
@@ -94,12 +95,23 @@ void TimelineCanvas::paint_markers(QPainter& painter) const {
   double free_from = kLabelWidth;                       // Texts do not overlap: the earlier one stays.
   const QFontMetricsF metrics(painter.font());
   for (const TimelineMarker& marker : markers_) {
-    const double x = s.x(marker.time_s);
+    const bool selected = marker.number > 0 && marker.number == selected_marker_;
+    const bool dragged = drag_ == Drag::kMarker && marker.number == dragged_marker_ && dragged_to_s_ >= 0.0;
+    const double x = s.x(dragged ? dragged_to_s_ : marker.time_s);
     double& until = drawn_until.at(static_cast<std::size_t>(marker.kind));
-    if (x < kLabelWidth - 8 || x > width() + 8 || x < until) {
+    if (x < kLabelWidth - 8 || x > width() + 8 || (x < until && !selected && !dragged)) {
       continue;
     }
     until = x + kClosestKeys;
+    const QString text = metrics.elidedText(marker.text, Qt::ElideRight, kMarkerText);
+    const double text_width = metrics.horizontalAdvance(text);
+    if (selected) {
+      QColor tint = theme.accent;
+      tint.setAlphaF(0.25F);
+      painter.setPen(QPen(theme.accent, 1));
+      painter.setBrush(tint);
+      painter.drawRoundedRect(QRectF(x - 4.5, kRulerHeight + 1.5, text_width + 21, kMarkerHeight - 3), 4, 4);
+    }
     // The shape says the kind, too: flag, cross, triangle.
     painter.setPen(Qt::NoPen);
     QPainterPath shape;
@@ -125,11 +137,10 @@ void TimelineCanvas::paint_markers(QPainter& painter) const {
         painter.drawPath(shape);
         break;
     }
-    if (x + 12 > free_from) {
+    if (x + 12 > free_from || selected) {
       painter.setPen(theme.text);
-      const QString text = metrics.elidedText(marker.text, Qt::ElideRight, 160);
       painter.drawText(QPointF(x + 12, middle + metrics.ascent() / 2 - 1), text);
-      free_from = x + 20 + metrics.horizontalAdvance(text);
+      free_from = x + 20 + text_width;
     }
   }
   painter.restore();

@@ -96,7 +96,7 @@ void TimelineWidget::build_transport() {
   length_->setFont(tabular(font()));
   length_->setProperty("role", QStringLiteral("dim"));
   add_ = button(QStringLiteral("key"), tr("Set a key for the selected bone at the playhead"), tr("I"), bar);
-  remove_ = button(QStringLiteral("minus"), tr("Delete the selected keys"), tr("Del"), bar);
+  remove_ = button(QStringLiteral("minus"), tr("Delete the selected keys or the selected marker"), tr("Del"), bar);
   auto* all = button(QStringLiteral("frame"), tr("Show the whole clip"), tr("Shift+Home"), bar);
   for (QWidget* widget : {start, back, play_, forward, end, loop_}) {
     row->addWidget(widget);
@@ -121,7 +121,7 @@ void TimelineWidget::build_transport() {
   connect(loop_, &QToolButton::clicked, this, [this](bool on) { time_.set_looping(on); });
   connect(all, &QToolButton::clicked, this, [this] { time_.show_all(); });
   connect(add_, &QToolButton::clicked, this, [this] { handle_key(Qt::Key_I, Qt::NoModifier); });
-  connect(remove_, &QToolButton::clicked, this, [this] { keys_.remove(keys_.selected()); });
+  connect(remove_, &QToolButton::clicked, this, [this] { handle_key(Qt::Key_Delete, Qt::NoModifier); });
   connect(speed_, &QComboBox::currentIndexChanged, this,
           [this](int) { time_.set_speed(speed_->currentData().toDouble()); });
 }
@@ -143,18 +143,25 @@ void TimelineWidget::show_state() {
     }
   }
   add_->setEnabled(any && canvas_->current_lane() >= 0);
-  remove_->setEnabled(!keys_.selected().empty());
+  remove_->setEnabled(!keys_.selected().empty() || canvas_->marker_time(canvas_->selected_marker()) >= 0.0);
   const auto frame = std::llround(time_.playhead_s() / time_.frame_s());
   now_->setText(any ? QString::fromStdString(time_label(time_.playhead_s(), 0.001)) : tr("–"));
-  length_->setText(any ? tr("/ %1   frame %2 of %3")
+  const QString length = tr("/ %1   frame %2 of %3")
                              .arg(QString::fromStdString(time_label(time_.duration_s(), 0.001)))
                              .arg(frame)
-                             .arg(std::llround(time_.duration_s() / time_.frame_s()))
-                       : tr("nothing to play yet"));
+                             .arg(std::llround(time_.duration_s() / time_.frame_s()));
+  // What stands at its start waits to be played.
+  const bool waits = any && !playing && frame == 0;
+  length_->setText(!any ? tr("nothing to play yet") : waits ? tr("%1   Space plays").arg(length) : length);
 }
 
 void TimelineWidget::set_current_lane(int lane) {
   canvas_->set_current_lane(lane);
+  show_state();
+}
+
+void TimelineWidget::select_marker(int number) {
+  canvas_->select_marker(number);
   show_state();
 }
 
@@ -187,10 +194,37 @@ void TimelineWidget::go_to_key(int direction) {
   }
 }
 
+bool TimelineWidget::handle_marker_key(int key, bool alt, bool plain) {
+  const int number = canvas_->selected_marker();
+  const double time = canvas_->marker_time(number);
+  if (time < 0.0) {
+    return false;
+  }
+  if (alt && (key == Qt::Key_Left || key == Qt::Key_Right)) {
+    const double by = key == Qt::Key_Left ? -time_.frame_s() : time_.frame_s();
+    const double to = std::clamp(time + by, 0.0, time_.duration_s());
+    Q_EMIT canvas_->marker_moved(number, to);
+    time_.set_playhead(to);
+    return true;
+  }
+  if (plain && (key == Qt::Key_Delete || key == Qt::Key_Backspace)) {
+    Q_EMIT canvas_->marker_removed(number);
+    return true;
+  }
+  if (plain && key == Qt::Key_F2) {
+    canvas_->edit_marker(number);
+    return true;
+  }
+  return false;
+}
+
 bool TimelineWidget::handle_key(int key, Qt::KeyboardModifiers modifiers) {
   const bool plain = modifiers == Qt::NoModifier || modifiers == Qt::KeypadModifier;
   const bool alt = (modifiers & Qt::AltModifier) != 0;
   const bool shift = (modifiers & Qt::ShiftModifier) != 0;
+  if (canvas_->selected_marker() > 0 && handle_marker_key(key, alt, plain)) {
+    return true;
+  }
   if (alt && !keys_.selected().empty()) {
     const double turn = shift ? kFineTurnStep : kTurnStep;
     switch (key) {

@@ -15,7 +15,8 @@ class QToolButton;
 namespace limbwave::ui {
 
 /// Keys of the keyboard work in the whole window while the timeline is shown (but never take a letter from a text
-/// field): Space, J, K, L, arrows, Home, End, I sets a key, Del removes, Alt and arrows nudge.
+/// field): Space, J, K, L, arrows, Home, End, I sets a key, Del removes keys or the marker, F2
+/// renames the marker, Alt and arrows nudge.
 class TimelineWidget : public QWidget {
   Q_OBJECT
  public:
@@ -24,6 +25,8 @@ class TimelineWidget : public QWidget {
   [[nodiscard]] TimelineCanvas& canvas() { return *canvas_; }
   /// The lane that new keys go to; -1: none.
   void set_current_lane(int lane);
+  /// By its number; 0: none.
+  void select_marker(int number);
   /// Goes on with the speed chosen in the box, after J or L.
   void toggle_playing();
 
@@ -36,6 +39,8 @@ class TimelineWidget : public QWidget {
   void shuttle(int direction);
   /// -1 / 1: the key before / after the playhead on the visible lanes.
   void go_to_key(int direction);
+  /// Of the selected marker.
+  bool handle_marker_key(int key, bool alt, bool plain);
   bool handle_key(int key, Qt::KeyboardModifiers modifiers);
 
   TimeModel& time_;

@@ -164,6 +164,12 @@ void MainWindow::make_actions() {
     add(nullptr, {}, parts_.workspaces[static_cast<std::size_t>(i)].title, QKeySequence(Qt::Key_1 + i),
         [this, i] { show_index(i); });
   }
+  for (std::size_t i = 0; i < parts_.actions.size(); ++i) {
+    const StudioAction& action = parts_.actions[i];
+    add(nullptr, {}, action.what, action.keys, [this, i] {
+      parts_.actions[i].run(context_, current_ >= 0 ? &parts_.workspaces[static_cast<std::size_t>(current_)] : nullptr);
+    })->setAutoRepeat(false);
+  }
   connect(take_menu_, &QMenu::aboutToShow, this, &MainWindow::update_recent_menu);
   update_recent_menu();
 }

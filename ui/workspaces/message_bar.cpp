@@ -51,10 +51,10 @@ MessageBar::MessageBar(Notifications& notifications, QWidget* parent)
     const auto& all = notifications_.all();
     const auto found = std::find_if(all.begin(), all.end(), [this](const Notification& n) { return n.id == shown_; });
     if (found != all.end()) {
-      const Notification notification = *found;
-      notifications_.dismiss(notification.id);
-      if (notification.act) {
-        notification.act();
+      const auto act = found->act;  // gone with the notification otherwise
+      notifications_.dismiss(shown_);
+      if (act) {
+        act();
       }
     }
   });
@@ -80,6 +80,7 @@ void MessageBar::refresh() {
   }
   // A later piece of news does not hide an error that nobody has dismissed.
   std::vector<const Notification*> order;
+  order.reserve(all.size());
   for (const Notification& notification : all) {
     order.push_back(&notification);
   }

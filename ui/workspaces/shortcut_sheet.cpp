@@ -28,6 +28,9 @@ std::vector<ShortcutGroup> shortcut_groups(const StudioParts& parts) {
        {QStringLiteral("F11"), ShortcutSheet::tr("Full screen")},
        {QStringLiteral("? / Shift+? / F1"), ShortcutSheet::tr("This sheet")},
        {QStringLiteral("Ctrl+Q"), ShortcutSheet::tr("Quit")}}};
+  for (const StudioAction& action : parts.actions) {
+    everywhere.shortcuts.push_back({action.keys.toString(QKeySequence::NativeText), action.what});
+  }
   std::vector<ShortcutGroup> groups{std::move(everywhere)};
   for (const WorkspaceEntry& entry : parts.workspaces) {
     if (!entry.shortcuts.empty()) {

@@ -43,12 +43,21 @@ struct WorkspaceEntry {
   std::function<Workspace*(StudioContext&, QWidget* parent)> create;  ///< Called when it is shown for the first time.
 };
 
+/// A key that works in the whole window, whatever is shown.
+struct StudioAction {
+  QKeySequence keys;
+  QString what;  ///< For the sheet: "Record, or stop recording".
+  /// `shown`: the workspace that is; null on the first page.
+  std::function<void(StudioContext&, const WorkspaceEntry* shown)> run;
+};
+
 /// Everything that the main window is put together from.
 struct StudioParts {
   std::vector<WorkspaceEntry> workspaces;
   /// The timeline that Solve, Retime and Export share; null: none.
   std::function<QWidget*(StudioContext&, QWidget* parent)> timeline;
   std::vector<ShortcutHelp> timeline_shortcuts;
+  std::vector<StudioAction> actions;
 };
 
 /// The table of the studio.

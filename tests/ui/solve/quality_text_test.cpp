@@ -68,6 +68,33 @@ TEST(Quality, GoodSignalsWithoutCalibrationAreNotGood) {
   EXPECT_FALSE(verdict.remedy.isEmpty());
 }
 
+TEST(Quality, ACalibrationThatIsOnlyUsableIsNotGood) {
+  solve::QualityReport report = good();
+  report.diagnostics.push_back({Severity::kInfo, "calibration.limb-usable",
+                                "the mounting poses were up to 6.5° from perpendicular: hand", "hold them better", "",
+                                -1.0});
+  Verdict verdict = overall_verdict(report);
+  EXPECT_EQ(verdict.tone, Tone::kWarning);
+  EXPECT_FALSE(verdict.text.contains(QStringLiteral("Good")));
+  EXPECT_TRUE(verdict.text.contains(QStringLiteral("6.5°")));
+  // What was never calibrated weighs more than what was calibrated badly.
+  report.diagnostics.push_back({Severity::kWarning, "calibration.partial", "never calibrated: the range of hand",
+                                "calibrate these sensors", "", -1.0});
+  verdict = overall_verdict(report);
+  EXPECT_TRUE(verdict.text.contains(QStringLiteral("ever calibrated")));
+}
+
+TEST(Quality, TheTruthHasTheLastWord) {
+  evaluate::Evaluation evaluation;
+  evaluation.all.inclination_mean_deg = 0.8;
+  EXPECT_EQ(overall_verdict(good(), &evaluation).tone, Tone::kGood);
+  evaluation.all.inclination_mean_deg = 4.9;
+  const Verdict verdict = overall_verdict(good(), &evaluation);
+  EXPECT_EQ(verdict.tone, Tone::kWarning);
+  EXPECT_TRUE(verdict.text.contains(QStringLiteral("4.90°")));
+  EXPECT_FALSE(verdict.remedy.isEmpty());
+}
+
 TEST(Quality, PercentNeverPromisesAFalseHundred) {
   EXPECT_EQ(percent(1.0), QStringLiteral("100 %"));
   EXPECT_EQ(percent(0.99999), QStringLiteral("99.9 %"));

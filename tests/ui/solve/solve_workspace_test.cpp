@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -13,113 +14,19 @@
 #include <QTest>
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
 #include "base/units.h"
-#include "common/latency_text.h"
 #include "common/widgets.h"
 #include "simulate/simulate.h"
+#include "timeline/timeline_canvas.h"
+#include "ui/support/fake_capture.h"
 #include "ui/support/solve_fixture.h"
 #include "workspaces/solve/bone_card.h"
 #include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/settings_card.h"
+#include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui::testing {
-
-namespace {
-
-/// A capture with a pose every 17 ms, each one frame old.
-class FakeCapture : public LiveBackend {
- public:
-  explicit FakeCapture(body::Skeleton skeleton) : skeleton_(std::move(skeleton)) {}
-  ~FakeCapture() override { end(); }
-  Status start() override {
-    running_ = true;
-    thread_ = std::thread([this] {
-      while (running_) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(17));
-        ++number_;
-        told_();
-      }
-    });
-    return {};
-  }
-  void stop() override { end(); }
-  Status start_recording(const std::filesystem::path&, const std::string&) override { return {}; }
-  Result<take::Take> stop_recording() override { return take::Take{}; }
-  std::optional<take::TakeEvent> mark(const std::string&) override { return std::nullopt; }
-  bool write_event(const take::TakeEvent&) override { return true; }
-  void set_calibration(const calibrate::RigCalibration&) override {}
-  void set_headings(const std::vector<std::vector<solve::HeadingKey>>&) override {}
-  void on_figure(std::function<void()> told) override { told_ = std::move(told); }
-  [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override {
-    return std::make_shared<solve::LiveSnapshot>();
-  }
-  [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const override {
-    if (number_ == 0) {
-      return nullptr;
-    }
-    auto made = std::make_shared<solve::LiveFigure>();
-    made->number = number_;
-    const std::vector<double> now{steady_now_s()};
-    std::vector<body::Quaterniond> R;
-    for (const auto& list : made_up_motion(skeleton_, now)) {
-      R.push_back(list.front());
-    }
-    made->pose = body::poses_from_orientations(skeleton_, R, skeleton_.segments.front().p_PL);
-    made->times.oldest_slot = now.front() - 0.017;
-    made->times.instant = made->times.oldest_slot + 0.008;
-    made->times.cycle_end = made->times.arrived = made->times.solved = now.front();
-    return made;
-  }
-
- private:
-  void end() {
-    running_ = false;
-    if (thread_.joinable()) {
-      thread_.join();
-    }
-  }
-  body::Skeleton skeleton_;
-  std::function<void()> told_;
-  std::thread thread_;
-  std::atomic<bool> running_{false};
-  std::atomic<std::uint64_t> number_{0};
-};
-
-class SilentSource : public acquire::LiveSource {
- public:
-  [[nodiscard]] acquire::StreamFormat format() const override { return {}; }
-  [[nodiscard]] std::string title() const override { return "fake"; }
-  Status start() override { return {}; }
-  void stop() override {}
-  std::size_t pull(std::span<std::byte>) override { return 0; }
-  [[nodiscard]] acquire::SourceCounters counters() const override { return {}; }
-  [[nodiscard]] bool alive() const override { return true; }
-  [[nodiscard]] double device_latency_s() const override { return 0.0; }
-  [[nodiscard]] double newest_frame_time_s() const override { return 0.0; }
-};
-
-StudioServices capture_services() {
-  StudioServices services;
-  services.load_rig = [](const std::string& name, const std::string&,
-                         const std::string&) -> Result<solve::LiveSettings> {
-    solve::LiveSettings settings;
-    settings.rig = body::load_rig(name).value();
-    settings.skeleton = body::load_skeleton(settings.rig.skeleton).value();
-    return settings;
-  };
-  services.open_device = [](const std::string&, const DeviceSetup&,
-                            const std::string&) -> Result<std::unique_ptr<acquire::LiveSource>> {
-    return std::unique_ptr<acquire::LiveSource>(std::make_unique<SilentSource>());
-  };
-  services.make_live = [](std::unique_ptr<acquire::LiveSource>, solve::LiveSettings settings) {
-    return std::unique_ptr<LiveBackend>(std::make_unique<FakeCapture>(settings.skeleton));
-  };
-  return services;
-}
-
-}  // namespace
 
 class SolveWorkspaceTest : public QObject {
   Q_OBJECT
@@ -507,37 +414,177 @@ class SolveWorkspaceTest : public QObject {
     QVERIFY(studio_->context->document().is_open());
   }
 
-  void live_capture_moves_the_figure_and_measures_its_latency() {
-    start(capture_services());
-    studio_->window->show_workspace(QStringLiteral("solve"));
-    QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Sound card"), "line-in-arm", {}));
-    QTRY_VERIFY(workspace().shows_live());
-    QSignalSpy frames(&workspace().viewer(), &ViewerWidget::frame_rendered);
-    const LiveModel& live = studio_->context->live();
-    // The first second is not counted.
-    QTRY_VERIFY_WITH_TIMEOUT(live.latency().poses > 30, 20000);
-    const solve::LatencyReport report = live.latency();
-    QVERIFY(static_cast<std::size_t>(frames.size()) >= report.poses);
-    QVERIFY(qAbs(report.of(solve::LatencyStage::kCycle).mean_s - 0.017) < 1e-6);
-    QVERIFY(report.of(solve::LatencyStage::kDraw).mean_s > 0.0);
-    double sum = 0.0;
-    for (std::size_t stage = 0; stage + 1 < solve::kLatencyStages; ++stage) {
-      sum += report.stages[stage].mean_s;
+  void markers_on_the_timeline_go_through_undo() {
+    start();
+    take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), solving_->seconds);
+    take.events = {{SampleIndex{96000 + 48000}, "marker", "clap", 1}};
+    std::filesystem::create_directories(take.folder);
+    studio_->context->document().set(take);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    studio_->window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(studio_->window.get()));
+    MarkerModel& markers = studio_->context->markers();
+    auto* canvas = studio_->window->findChild<TimelineCanvas*>();
+    QVERIFY(canvas != nullptr && canvas->marker_position(1).has_value());
+    canvas->setFocus();
+    const QPoint from = canvas->marker_position(1)->toPoint();
+    QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+    for (const int by : {30, 60, 90}) {
+      const QPointF at = from + QPoint(by, 0);
+      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(canvas, &move);
     }
-    QVERIFY(qAbs(report.of(solve::LatencyStage::kTotal).mean_s - sum) < 1e-9);
-    const Eigen::Vector3d then = workspace().viewer().pose()[3].p_WL;
-    QTRY_VERIFY((workspace().viewer().pose()[3].p_WL - then).norm() > 0.01);
-    qInfo().noquote() << latency_sentences(report, 0.0);
-    const auto told = [this] {
-      const auto labels = studio_->window->findChildren<ElidedLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [](const ElidedLabel* label) {
-        return label->full_text().contains(QStringLiteral("sensor to screen"));
-      });
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(90, 0));
+    const double moved = markers.time_s(*markers.find(1));
+    QVERIFY(std::abs(moved - 3.0 - 90 * canvas->scale().seconds_per_pixel()) < 1.0 / 60.0);
+    QCOMPARE(studio_->context->undo_stack().count(), 1);
+    QCOMPARE(studio_->context->selection().marker(), std::int64_t{1});
+    QTest::keyClick(canvas, Qt::Key_F2);
+    auto* field = canvas->findChild<QLineEdit*>();
+    QVERIFY(field != nullptr);
+    QTest::keyClicks(field, QStringLiteral("jump"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(markers.find(1)->text, QStringLiteral("jump"));
+    save(QStringLiteral("solve-marker"));
+    QTest::keyClick(canvas, Qt::Key_Delete);
+    QVERIFY(markers.markers().empty());
+    QVERIFY(!canvas->marker_position(1).has_value());
+    QCOMPARE(studio_->context->selection().item().kind, SelectionKind::kNone);
+    for (const int steps : {2, 1, 0}) {
+      QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier);
+      QCOMPARE(studio_->context->undo_stack().index(), steps);
+    }
+    QCOMPARE(markers.find(1)->text, QStringLiteral("clap"));
+    QCOMPARE(markers.time_s(*markers.find(1)), 3.0);
+    // All of it stands in the take.
+    studio_->context->saves().finish();
+    QFile lines(QString::fromStdString((take.folder / "events.jsonl").string()));
+    QVERIFY(lines.open(QIODevice::ReadOnly));
+    QCOMPARE(lines.readAll().count('\n'), 6);
+  }
+
+  void curves_are_shown_with_the_solve() {
+    open_solved();
+    const QImage picture = workspace().curves().grab().toImage();
+    const QColor series = series_color(theme_colors(workspace().palette()), 1);
+    int coloured = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor at = picture.pixelColor(x, y);
+        coloured += std::abs(at.red() - series.red()) + std::abs(at.green() - series.green()) +
+                                std::abs(at.blue() - series.blue()) <
+                            120
+                        ? 1
+                        : 0;
+      }
+    }
+    QVERIFY2(coloured > 100, "the second sensor's curve is there");
+  }
+
+  void m_sets_a_marker_at_the_playhead() {
+    start();
+    take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), solving_->seconds);
+    take.events.clear();
+    std::filesystem::create_directories(take.folder);
+    studio_->context->document().set(take);
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    studio_->window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(studio_->window.get()));
+    studio_->context->time().set_playhead(1.5);
+    QTest::keyClick(studio_->window.get(), Qt::Key_M);
+    MarkerModel& markers = studio_->context->markers();
+    QCOMPARE(markers.markers().size(), std::size_t{1});
+    QVERIFY(std::abs(markers.time_s(markers.markers().front()) - 3.5) < 1e-3);
+    QCOMPARE(studio_->context->selection().marker(), markers.newest());
+    QTest::keyClick(studio_->window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(markers.markers().empty());
+  }
+
+  void nothing_slow_is_done_in_the_windows_own_thread() {
+    std::atomic<int> in_window{0}, elsewhere{0};
+    const auto note = [&] { ++(QThread::currentThread() == qApp->thread() ? in_window : elsewhere); };
+    FakeSolving made;
+    SolveServices services = made.services();
+    services.list = [&, list = services.list](const take::Take& take) {
+      note();
+      return list(take);
     };
-    QTRY_VERIFY(told());
-    save(QStringLiteral("solve-live"));
-    studio_->context->live().close();
-    QTRY_VERIFY(!workspace().shows_live());
+    services.load = [&, load = services.load](const take::Take& take, const std::string& name) {
+      note();
+      return load(take, name);
+    };
+    services.save = [&, keep = services.save](const take::Take& take, const solve::Solve& solve) {
+      note();
+      return keep(take, solve);
+    };
+    services.load_truth = [&](const take::Take&) -> Result<std::optional<evaluate::Truth>> {
+      note();
+      return std::optional<evaluate::Truth>(evaluate::Truth{});
+    };
+    services.evaluate = [&](const motion::Clip&, double, const evaluate::Truth&) -> Result<evaluate::Evaluation> {
+      note();
+      return evaluate::Evaluation{};
+    };
+    StudioServices capture = capture_services();
+    capture.load_rig = [&, load = capture.load_rig](const std::string& rig, const std::string& subject,
+                                                    const std::string& device) {
+      note();
+      return load(rig, subject, device);
+    };
+    capture.list_rigs = [] { return std::vector<RigChoice>{{"line-in-arm", "Arm"}}; };
+    studio_ = std::make_unique<SolveStudio>(services, capture);
+    studio_->window->show_workspace(QStringLiteral("capture"));
+    QVERIFY(studio_->context->live().open(QStringLiteral("fake"), QStringLiteral("Card"), "line-in-arm", {}));
+    QTRY_VERIFY(studio_->context->live().running());
+    for (const char* name : {"a.take", "b.take"}) {
+      studio_->context->document().set(made_up_take(studio_->take_folder(QString::fromLatin1(name)), made.seconds));
+      QTRY_COMPARE(model().state(), SolveState::kSolved);
+      QVERIFY(model().change_length(1, model().skeleton().segments[1].length + 0.01));
+      model().save();
+      QTRY_VERIFY(studio_->context->jobs().jobs().empty());
+    }
+    QVERIFY(made.loaded.load() > 0 && made.saved.load() > 1);
+    QVERIFY(elsewhere.load() > 8);
+    QCOMPARE(in_window.load(), 0);
+    studio_.reset();
+  }
+
+  void comparing_with_the_truth_never_piles_up_and_the_newest_stands() {
+    FakeSolving made;
+    SolveServices services = made.services();
+    std::atomic<int> running{0}, most{0}, begun{0};
+    std::atomic<bool> hold{false};
+    services.load_truth = [](const take::Take&) -> Result<std::optional<evaluate::Truth>> {
+      return std::optional<evaluate::Truth>(evaluate::Truth{});
+    };
+    services.evaluate = [&](const motion::Clip& clip, double, const evaluate::Truth&) -> Result<evaluate::Evaluation> {
+      ++begun;
+      most = std::max(most.load(), ++running);
+      while (hold) {
+        QThread::msleep(5);
+      }
+      --running;
+      evaluate::Evaluation evaluation;
+      evaluation.all.inclination_mean_deg = 1000.0 * clip.skeleton.segments[1].length;
+      return evaluation;
+    };
+    studio_ = std::make_unique<SolveStudio>(services);
+    studio_->context->document().set(made_up_take(studio_->take_folder(QStringLiteral("a.take")), made.seconds));
+    QTRY_COMPARE(model().state(), SolveState::kSolved);
+    QCOMPARE(begun.load(), 1);
+    hold = true;
+    QVERIFY(model().change_length(1, 0.31));
+    QTRY_COMPARE(begun.load(), 2);
+    for (const double length : {0.32, 0.33, 0.34}) {
+      QVERIFY(model().change_length(1, length));
+      QTest::qWait(900);  // Longer than it waits for the next edit.
+    }
+    QCOMPARE(begun.load(), 2);
+    hold = false;
+    QTRY_VERIFY(std::abs(model().evaluation()->all.inclination_mean_deg - 340.0) < 1e-6);
+    QCOMPARE(most.load(), 1);
+    QVERIFY2(begun.load() <= 4, "states that were overtaken are left out");
+    studio_.reset();
   }
 
   void simulated_take_from_disk_to_picture() {

@@ -212,6 +212,81 @@ class TimelineWidgetTest : public QObject {
     QCOMPARE(time_->playhead_s(), 3.0);
   }
 
+  void a_marker_is_dragged_once_and_lands_on_a_frame() {
+    canvas().set_markers({{3.0, TimelineMarker::Kind::kMarker, tr("clap"), 7}});
+    QSignalSpy moved(&canvas(), &TimelineCanvas::marker_moved);
+    const QPoint from = canvas().marker_position(7)->toPoint();
+    drag(from, from + QPoint(120, 0));
+    QVERIFY2(moved.isEmpty(), "nobody may edit them");
+    canvas().set_markers_editable(true);
+    drag(from, from + QPoint(2, 0));
+    QVERIFY2(moved.isEmpty(), "that was a click");
+    drag(from, from + QPoint(120, 0));
+    QCOMPARE(moved.size(), 1);
+    QCOMPARE(moved[0][0].toInt(), 7);
+    const double to = moved[0][1].toDouble();
+    QVERIFY(std::abs(to - 3.0 - 120 * canvas().scale().seconds_per_pixel()) <= 1.0 / 60.0);
+    QVERIFY(std::abs(std::remainder(to, 1.0 / 60.0)) < 1e-6);
+    QCOMPARE(time_->playhead_s(), to);
+    drag(from, from + QPoint(9000, 0));
+    QCOMPARE(moved.last()[1].toDouble(), 12.0);
+  }
+
+  void a_marker_is_renamed_in_place() {
+    canvas().set_markers({{3.0, TimelineMarker::Kind::kMarker, tr("clap"), 7},
+                          {3.0, TimelineMarker::Kind::kLoss, tr("120 samples lost"), 0}});
+    canvas().set_markers_editable(true);
+    QSignalSpy renamed(&canvas(), &TimelineCanvas::marker_renamed);
+    const QPoint at = canvas().marker_position(7)->toPoint();
+    QTest::mouseDClick(&canvas(), Qt::LeftButton, {}, at);
+    auto* field = canvas().findChild<QLineEdit*>();
+    QVERIFY(field != nullptr);
+    QCOMPARE(field->text(), QStringLiteral("clap"));
+    QTest::keyClicks(field, QStringLiteral("jump"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(renamed.size(), 1);
+    QCOMPARE(renamed[0][1].toString(), QStringLiteral("jump"));
+    QTRY_VERIFY(canvas().findChild<QLineEdit*>() == nullptr);
+    // Escape leaves it as it was.
+    timeline_->select_marker(7);
+    QTest::keyClick(&canvas(), Qt::Key_F2);
+    field = canvas().findChild<QLineEdit*>();
+    QVERIFY(field != nullptr);
+    QTest::keyClicks(field, QStringLiteral("x"));
+    QTest::keyClick(field, Qt::Key_Escape);
+    QTRY_VERIFY(canvas().findChild<QLineEdit*>() == nullptr);
+    QCOMPARE(renamed.size(), 1);
+  }
+
+  void a_selected_marker_answers_to_keys_and_keys_are_left_alone() {
+    model_->load(1, {{0, 2.0, 0.0}});
+    canvas().set_markers({{3.0, TimelineMarker::Kind::kMarker, tr("clap"), 7}});
+    canvas().set_markers_editable(true);
+    QSignalSpy moved(&canvas(), &TimelineCanvas::marker_moved);
+    QSignalSpy removed(&canvas(), &TimelineCanvas::marker_removed);
+    timeline_->select_marker(7);
+    QTest::keyClick(&canvas(), Qt::Key_Left, Qt::AltModifier);
+    QCOMPARE(moved.size(), 1);
+    QVERIFY(std::abs(moved[0][1].toDouble() - 3.0 + 1.0 / 60.0) < 1e-9);
+    QTest::keyClick(&canvas(), Qt::Key_Delete);
+    QCOMPARE(removed.size(), 1);
+    QCOMPARE(model_->keys(1).size(), std::size_t{1});
+    timeline_->select_marker(0);
+    QTest::keyClick(&canvas(), Qt::Key_Delete);
+    QCOMPARE(removed.size(), 1);
+  }
+
+  void a_double_click_among_the_events_asks_for_a_marker() {
+    QSignalSpy wanted(&canvas(), &TimelineCanvas::marker_wanted);
+    const QPoint at = QPointF(canvas().scale().x(5.0), 38).toPoint();
+    QTest::mouseDClick(&canvas(), Qt::LeftButton, {}, at);
+    QVERIFY(wanted.isEmpty());
+    canvas().set_markers_editable(true);
+    QTest::mouseDClick(&canvas(), Qt::LeftButton, {}, at);
+    QCOMPARE(wanted.size(), 1);
+    QVERIFY(std::abs(wanted[0][0].toDouble() - 5.0) < 0.02);
+  }
+
   void looks_as_it_should() {
     const QString folder = QStringLiteral(LIMBWAVE_BINARY_DIR "/screenshots");
     QDir().mkpath(folder);
@@ -221,9 +296,9 @@ class TimelineWidgetTest : public QObject {
     model_->load(2, {{0, 4.0, radians(10)}});
     canvas().set_current_lane(1);
     canvas().set_markers(
-        {{1.0, TimelineMarker::Kind::kMarker, tr("clap"), 0},
-         {3.0, TimelineMarker::Kind::kLoss, tr("120 samples lost"), 1},
-         {7.4, TimelineMarker::Kind::kWarning, tr("The volume was moved: the level fell by half"), 2}});
+        {{1.0, TimelineMarker::Kind::kMarker, tr("clap"), 1},
+         {3.0, TimelineMarker::Kind::kLoss, tr("120 samples lost"), 0},
+         {7.4, TimelineMarker::Kind::kWarning, tr("The volume was moved: the level fell by half"), 0}});
     canvas().set_stretches({{2.5, 9.0, tr("capture")}});
     keys_->select({{1, model_->keys(1)[1].id}});
     time_->set_playhead(5.2);

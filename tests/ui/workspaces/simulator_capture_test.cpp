@@ -8,6 +8,8 @@
 #include "ui/support/studio_fixture.h"
 #include "workspaces/capture/capture_workspace.h"
 #include "workspaces/capture/overview_panel.h"
+#include "workspaces/solve/live_headings.h"
+#include "workspaces/solve/solve_model.h"
 #include "workspaces/take_actions.h"
 
 namespace limbwave::ui::testing {
@@ -123,6 +125,40 @@ class SimulatorCaptureTest : public QObject {
     capture->model().open_device({});
     capture->model().open_device(QStringLiteral("simulator:wave"));
     QTRY_VERIFY_WITH_TIMEOUT(live.snapshot() && live.snapshot()->format.rate.hz == 96000.0, 20000);
+  }
+
+  void a_turn_of_the_live_figure_reaches_the_session_and_the_take() {
+    StudioFixture studio(simulator_services());
+    SolveModel& solving = SolveModel::of(*studio.context);
+    LiveHeadings& headings = LiveHeadings::of(*studio.context);
+    LiveModel& live = studio.context->live();
+    QVERIFY(live.open(QStringLiteral("simulator:wave"), QStringLiteral("Simulator"), "line-in-arm", {}));
+    QTRY_VERIFY_WITH_TIMEOUT(live.figure() != nullptr, 30000);
+    // The torso stands nearly still: what turns it is the user.
+    const auto torso = [&live] { return live.figure()->pose.front().R_WL; };
+    const auto turned = [&](const Eigen::Quaterniond& from, double angle) {
+      const Eigen::Quaterniond wanted(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * from);
+      return torso().angularDistance(wanted) < 0.1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(live.figure()->number > 120, 30000);  // The filter has settled.
+    const Eigen::Quaterniond before = torso();
+    QVERIFY(headings.set(0, 1.0));
+    QTRY_VERIFY_WITH_TIMEOUT(turned(before, 1.0), 20000);
+    studio.context->undo_stack().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(turned(before, 0.0), 20000);
+    studio.context->undo_stack().redo();
+    QVERIFY(live.start_recording(studio.context->takes_folder().toStdString() + "/turned.take", {}));
+    QTRY_VERIFY(live.recording());
+    QTRY_VERIFY_WITH_TIMEOUT(live.snapshot()->recorded_s >= 2.0, 20000);
+    live.stop_recording();
+    QTRY_VERIFY_WITH_TIMEOUT(studio.context->document().is_open(), 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(solving.state(), SolveState::kSolved, 60000);
+    QCOMPARE(solving.keys().keys(0).size(), std::size_t{1});
+    QCOMPARE(solving.solve()->settings.headings.front().front().heading, 1.0);
+    std::vector<body::SegmentPose> solved;
+    solving.pose_at(1.0, solved);
+    const Eigen::Quaterniond wanted(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()) * before);
+    QVERIFY2(solved.front().R_WL.angularDistance(wanted) < 0.1, "the take shows what was seen live");
   }
 
   void a_demo_take_is_simulated_and_shown() {

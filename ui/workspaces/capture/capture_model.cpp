@@ -33,7 +33,18 @@ class SetupCommand : public QUndoCommand {
   int field_;
 };
 
-CaptureModel::CaptureModel(StudioContext& context, QObject* parent) : QObject(parent), context_(context) {
+CaptureModel& CaptureModel::of(StudioContext& context) {
+  if (auto* made = context.findChild<CaptureModel*>({}, Qt::FindDirectChildrenOnly)) {
+    return *made;
+  }
+  return *new CaptureModel(context, &context);
+}
+
+CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
+    : QObject(parent), context_(context), sounds_(context.settings()) {
+  countdown_timer_.setInterval(1000);
+  countdown_timer_.setTimerType(Qt::PreciseTimer);
+  connect(&countdown_timer_, &QTimer::timeout, this, &CaptureModel::count_down);
   if (context_.services().list_rigs) {
     rigs_ = context_.services().list_rigs();
   }
@@ -66,19 +77,29 @@ void CaptureModel::set_today(const QDate& today) {
 }
 
 void CaptureModel::load_rig_names() {
-  sensor_names_.clear();
   if (!context_.services().load_rig) {
     return;
   }
-  const auto settings = context_.services().load_rig(rig().toStdString(), subject().toStdString(), {});
-  if (!settings) {
-    context_.notifications().post_error(tr("Rig %1").arg(rig()), settings.error());
-    return;
-  }
-  for (const body::Accelerometer& sensor : settings.value().rig.accelerometers) {
-    sensor_names_.append(QString::fromStdString(sensor.name));
-  }
-  slot_count_ = settings.value().rig.line_in.slots;
+  using Settings = solve::LiveSettings;
+  context_.jobs().compute<Settings>(
+      tr("Reading the rig"), this,
+      [load_rig = context_.services().load_rig, rig = rig().toStdString(),
+       subject = subject().toStdString()](const Progress&) { return load_rig(rig, subject, {}); },
+      [this, wanted = rig()](const Result<Settings>& settings) {
+        if (wanted != rig()) {
+          return;  // Another one was chosen meanwhile.
+        }
+        sensor_names_.clear();
+        if (!settings) {
+          context_.notifications().post_error(tr("Rig %1").arg(rig()), settings.error());
+          return;
+        }
+        for (const body::Accelerometer& sensor : settings->rig.accelerometers) {
+          sensor_names_.append(QString::fromStdString(sensor.name));
+        }
+        slot_count_ = settings->rig.line_in.slots;
+        Q_EMIT setup_changed();
+      });
 }
 
 QStringList CaptureModel::sensor_names() const {
@@ -253,9 +274,47 @@ void CaptureModel::stop_recording() {
 }
 
 void CaptureModel::toggle_recording() {
-  if (context_.live().recording()) {
+  const LiveModel& live = context_.live();
+  if (countdown_ > 0) {
+    set_countdown(0);
+  } else if (live.recording() && !live.aside()) {
     stop_recording();
   } else {
+    start_recording();
+  }
+}
+
+void CaptureModel::toggle_countdown() {
+  if (countdown_ > 0) {
+    set_countdown(0);
+  } else if (can_record()) {
+    set_countdown(kCountdown_s);
+    sounds_.play(CueSounds::Cue::kTick);
+  }
+}
+
+void CaptureModel::set_countdown(int seconds) {
+  countdown_ = seconds;
+  if (seconds <= 0) {
+    countdown_timer_.stop();
+  } else if (!countdown_timer_.isActive()) {
+    countdown_timer_.start();
+  }
+  Q_EMIT countdown_changed();
+}
+
+void CaptureModel::count_down() {
+  if (!can_record()) {
+    // The device went, or somebody else began to record: whoever waits for it must hear that.
+    set_countdown(0);
+    sounds_.play(CueSounds::Cue::kLost);
+    context_.notifications().post(Severity::kWarning, tr("The countdown ended without recording."),
+                                  tr("Look at the device and at the name of the take, then begin again."));
+    return;
+  }
+  set_countdown(countdown_ - 1);
+  sounds_.play(countdown_ > 0 ? CueSounds::Cue::kTick : CueSounds::Cue::kGo);
+  if (countdown_ == 0) {
     start_recording();
   }
 }

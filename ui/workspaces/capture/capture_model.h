@@ -5,9 +5,11 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 #include <vector>
 
 #include "acquire/live_source.h"
+#include "calibration/cue_sounds.h"
 #include "common/studio_context.h"
 
 namespace limbwave::ui {
@@ -24,6 +26,10 @@ struct CaptureSetup {
 class CaptureModel : public QObject {
   Q_OBJECT
  public:
+  static constexpr int kCountdown_s = 5;
+
+  /// The context's own, made when first asked for.
+  static CaptureModel& of(StudioContext& context);
   explicit CaptureModel(StudioContext& context, QObject* parent = nullptr);
 
   [[nodiscard]] const std::vector<acquire::DeviceInfo>& devices() const { return devices_; }
@@ -60,13 +66,20 @@ class CaptureModel : public QObject {
   void suggest_name();
   void start_recording();
   void stop_recording();
+  /// Ends a countdown, or a recording; else begins one. A calibration's recording is left alone.
   void toggle_recording();
+  /// Begins to record after a countdown, for people who are alone in the suit; it can be heard. A second call ends it.
+  void toggle_countdown();
+  /// Seconds until recording begins; 0: nothing is counted down.
+  [[nodiscard]] int countdown() const { return countdown_; }
+  [[nodiscard]] CueSounds& sounds() { return sounds_; }
   /// For tests: the day that take names use.
   void set_today(const QDate& today);
 
  Q_SIGNALS:
   void devices_changed();
   void setup_changed();  ///< Rig, subject or take name.
+  void countdown_changed();
 
  private:
   friend class SetupCommand;
@@ -76,6 +89,8 @@ class CaptureModel : public QObject {
   [[nodiscard]] QString suggested_name(const QString& subject) const;
   void load_rig_names();
   void check_name();
+  void set_countdown(int seconds);
+  void count_down();
 
   StudioContext& context_;
   std::vector<acquire::DeviceInfo> devices_;
@@ -87,6 +102,9 @@ class CaptureModel : public QObject {
   QStringList sensor_names_;
   int slot_count_ = 16;
   QDate today_;
+  CueSounds sounds_;
+  QTimer countdown_timer_;
+  int countdown_ = 0;
 };
 
 }  // namespace limbwave::ui

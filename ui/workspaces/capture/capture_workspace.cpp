@@ -24,7 +24,7 @@ namespace limbwave::ui {
 CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
     : Workspace(parent),
       context_(context),
-      model_(context),
+      model_(CaptureModel::of(context)),
       source_(new SourceBar(context, model_, this)),
       center_(new QStackedWidget(this)),
       empty_(new EmptyState(QStringLiteral("no-device"), this)) {
@@ -142,15 +142,11 @@ void CaptureWorkspace::make_shortcuts() {
     shortcut->setAutoRepeat(false);
     connect(shortcut, &QShortcut::activated, this, handler);
   };
-  add(Qt::Key_R, [this] { model_.toggle_recording(); });
-  add(Qt::Key_M, [this] { context_.markers().mark_now(); });
   add(Qt::Key_F5, [this] { model_.refresh_devices(); });
 }
 
 std::vector<ShortcutHelp> CaptureWorkspace::shortcuts() {
-  return {{QStringLiteral("R"), tr("Record, or stop recording")},
-          {QStringLiteral("M"), tr("Set a marker")},
-          {QStringLiteral("F2"), tr("Rename the selected marker")},
+  return {{QStringLiteral("F2"), tr("Rename the selected marker")},
           {tr("Delete"), tr("Delete the selected marker")},
           {tr("Shift+← / →"), tr("In the signal: move the selected marker by 10 ms, with Ctrl by 100 ms")},
           {QStringLiteral("F5"), tr("Look for devices again")}};

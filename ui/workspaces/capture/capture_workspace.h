@@ -39,7 +39,7 @@ class CaptureWorkspace : public Workspace {
   void announce(const take::Take& take);
 
   StudioContext& context_;
-  CaptureModel model_;
+  CaptureModel& model_;
   SourceBar* source_;
   QStackedWidget* center_;
   EmptyState* empty_;

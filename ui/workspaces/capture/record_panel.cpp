@@ -19,6 +19,7 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
       time_(new QLabel(this)),
       state_(dim_label({}, this)),
       record_(new QPushButton(this)),
+      later_(new QPushButton(tr("Record in %1 s").arg(CaptureModel::kCountdown_s), this)),
       subject_(new QLineEdit(this)),
       name_(new QLineEdit(this)),
       name_problem_(new QLabel(this)),
@@ -40,6 +41,9 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
   body()->addWidget(time_);
   body()->addWidget(state_);
   body()->addWidget(record_);
+  later_->setObjectName(QStringLiteral("record_later"));
+  later_->setToolTip(tr("Counts down aloud before it records, for people alone in the suit (Shift+R)"));
+  body()->addWidget(later_);
 
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(2 * kGrid);
@@ -79,6 +83,8 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
 
   connect(choose, &QToolButton::clicked, this, &RecordPanel::choose_folder);
   connect(record_, &QPushButton::clicked, &model_, &CaptureModel::toggle_recording);
+  connect(later_, &QPushButton::clicked, &model_, &CaptureModel::toggle_countdown);
+  connect(&model_, &CaptureModel::countdown_changed, this, &RecordPanel::refresh);
   connect(subject_, &QLineEdit::textEdited, &model_, &CaptureModel::set_subject);
   connect(name_, &QLineEdit::textEdited, &model_, &CaptureModel::set_take_name);
   connect(&model_, &CaptureModel::setup_changed, this, &RecordPanel::refresh);
@@ -104,9 +110,12 @@ void RecordPanel::refresh() {
   const LiveModel& live = context_.live();
   const bool recording = live.recording();
   const bool busy = live.starting() || live.finishing();
-  record_->setText(recording ? tr("Stop") : tr("Record"));
-  record_->setAccessibleName(recording ? tr("Stop recording") : tr("Record"));
-  record_->setIcon(recording ? icon(QStringLiteral("stop")) : accent_icon(QStringLiteral("record")));
+  const bool counting = model_.countdown() > 0;
+  record_->setText(counting ? tr("Cancel") : recording ? tr("Stop") : tr("Record"));
+  record_->setAccessibleName(counting ? tr("Cancel the countdown") : recording ? tr("Stop recording") : tr("Record"));
+  record_->setIcon(recording || counting ? icon(QStringLiteral("stop")) : accent_icon(QStringLiteral("record")));
+  later_->setVisible(!recording && !busy);
+  later_->setEnabled(!counting && model_.can_record());
   set_style_property(record_, "primary", !recording);
   record_->setEnabled(recording ? !busy : model_.can_record());
   subject_->setEnabled(!recording && !busy);
@@ -139,12 +148,15 @@ void RecordPanel::refresh_time() {
   const LiveModel& live = context_.live();
   const auto& snapshot = live.snapshot();
   const bool recording = live.recording();
-  time_->setText(format_clock_tenths(recording && snapshot ? snapshot->recorded_s : 0.0));
-  time_->setForegroundRole(recording ? QPalette::Text : QPalette::PlaceholderText);
+  const int countdown = model_.countdown();
+  time_->setText(countdown > 0 ? QString::number(countdown)
+                               : format_clock_tenths(recording && snapshot ? snapshot->recorded_s : 0.0));
+  time_->setForegroundRole(recording || countdown > 0 ? QPalette::Text : QPalette::PlaceholderText);
   if (recording && snapshot && snapshot->counters.overflows > 0) {
     state_->setText(tr("Recording, but samples are being lost"));
   } else {
     state_->setText(recording                             ? tr("Recording")
+                    : countdown > 0                       ? tr("Recording begins in %n second(s)", nullptr, countdown)
                     : live.finishing()                    ? tr("Closing the take")
                     : live.starting()                     ? tr("Making the take")
                     : model_.can_record()                 ? tr("Ready")
@@ -152,7 +164,8 @@ void RecordPanel::refresh_time() {
                     : live.state() == LiveState::kRunning ? tr("Not ready")
                                                           : tr("No device"));
   }
-  disk_->setText(tr("disk: %1").arg(format_left(context_.disk_left_s())));
+  const double disk_left_s = context_.disk_left_s();
+  disk_->setText(disk_left_s >= 0.0 ? tr("disk: %1").arg(format_left(disk_left_s)) : tr("disk: –"));
   disk_->setToolTip(tr("How long recording lasts until the disk is full"));
   const bool can = recording || model_.can_record();
   if (record_->isEnabled() != can && !live.starting() && !live.finishing()) {

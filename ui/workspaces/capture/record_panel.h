@@ -26,6 +26,7 @@ class RecordPanel : public Card {
   QLabel* time_;
   QLabel* state_;
   QPushButton* record_;
+  QPushButton* later_;
   QLineEdit* subject_;
   QLineEdit* name_;
   QLabel* name_problem_;

@@ -63,7 +63,7 @@ using BvhWriter = std::function<Status(const motion::Clip&, const std::filesyste
 
 /// Writes the plan's part, reads back and compares: frame count, bones, rate. Fails with what is wrong; then no new
 /// file is left.
-Result<ExportResult> export_clip(const motion::Clip& clip, const ExportPlan& plan, const BvhWriter& write,
+Result<ExportResult> export_clip(const motion::Clip& whole, const ExportPlan& plan, const BvhWriter& write,
                                  const Progress& progress);
 
 /// "1.2 MB", "640 kB"

@@ -23,7 +23,7 @@ constexpr int kTreeHeight = 20 * kGrid;
 
 // People count from 1.
 QString counted(std::size_t index) {
-  return QLocale().toString(qulonglong(index + 1));
+  return QLocale().toString(qulonglong{index} + 1);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "common/theme.h"
 #include "timeline/timeline_geometry.h"
+#include "workspaces/solve/quality_text.h"
 
 namespace limbwave::ui {
 
@@ -27,9 +28,7 @@ int segment_of_selection(const SelectedItem& item, const SolveModel& model) {
     case SelectionKind::kHeadingKey:
       return item.index;
     case SelectionKind::kSensor:
-      return item.index >= 0 && static_cast<std::size_t>(item.index) < model.curves().size()
-                 ? model.curves()[static_cast<std::size_t>(item.index)].segment
-                 : -1;
+      return model.segment_of_sensor(item.index);
     case SelectionKind::kNone:
     case SelectionKind::kMarker:
       break;
@@ -38,12 +37,15 @@ int segment_of_selection(const SelectedItem& item, const SolveModel& model) {
 }
 
 BoneCard::BoneCard(StudioContext& context, SolveModel& model, QWidget* parent)
-    : Card(tr("Bone"), parent), context_(context), model_(model) {
+    : Card(tr("Bone"), parent), context_(context), model_(model), live_headings_(LiveHeadings::of(context)) {
   build();
   connect(&context_.selection(), &Selection::changed, this, &BoneCard::follow_selection);
   connect(&context_.time(), &TimeModel::playhead_changed, this, &BoneCard::show_heading);
   connect(&model_, &SolveModel::skeleton_changed, this, &BoneCard::show_skeleton);
   connect(&model_, &SolveModel::solve_changed, this, &BoneCard::show_skeleton);
+  connect(&model_, &SolveModel::shows_live_changed, this, &BoneCard::follow_selection);
+  connect(&live_headings_, &LiveHeadings::changed, this, &BoneCard::show_heading);
+  connect(&context_.live(), &LiveModel::recording_changed, this, &BoneCard::show_heading);
   connect(&model_.keys(), &KeyModel::keys_changed, this, &BoneCard::show_keys);
   connect(&model_.key_editor(), &KeyEditor::selection_changed, this, &BoneCard::show_keys);
   show_skeleton();
@@ -95,6 +97,9 @@ void BoneCard::build() {
   set_key_->setToolTip(tr("Sets a key of the rotation at the playhead (I)"));
   delete_key_ = new QPushButton(tr("Delete key"), this);
   delete_key_->setToolTip(tr("Deletes the selected keys (Del)"));
+  straight_ = new QPushButton(tr("Back to 0°"), this);
+  straight_->setToolTip(tr("Takes the rotation of this bone away"));
+  row->addWidget(straight_, 1);
   row->addWidget(set_key_, 1);
   row->addWidget(delete_key_, 1);
   body()->addLayout(row);
@@ -117,7 +122,9 @@ void BoneCard::build() {
       turn_to(radians(value), kNoGesture);
     }
   });
-  connect(slider_, &QSlider::sliderPressed, this, [this] { gesture_ = model_.key_editor().begin_gesture(); });
+  connect(slider_, &QSlider::sliderPressed, this, [this] {
+    gesture_ = model_.shows_live() ? live_headings_.begin_gesture() : model_.key_editor().begin_gesture();
+  });
   connect(slider_, &QSlider::sliderReleased, this, [this] { gesture_ = kNoGesture; });
   connect(slider_, &QSlider::valueChanged, this, [this](int steps) {
     if (!showing_) {
@@ -126,6 +133,7 @@ void BoneCard::build() {
   });
   connect(set_key_, &QPushButton::clicked, this,
           [this] { turn_to(model_.keys().value_at(segment_, context_.time().playhead_s()), kNoGesture); });
+  connect(straight_, &QPushButton::clicked, this, [this] { turn_to(0.0, kNoGesture); });
   connect(delete_key_, &QPushButton::clicked, this,
           [this] { model_.key_editor().remove(model_.key_editor().selected()); });
   connect(list_, &QListWidget::currentRowChanged, this, [this](int index) {
@@ -138,7 +146,16 @@ void BoneCard::build() {
 }
 
 void BoneCard::turn_to(double heading, int gesture) {
-  model_.key_editor().set_value(segment_, context_.time().playhead_s(), heading, gesture);
+  if (model_.shows_live()) {
+    live_headings_.set(segment_, heading, gesture);
+  } else {
+    model_.key_editor().set_value(segment_, context_.time().playhead_s(), heading, gesture);
+  }
+}
+
+double BoneCard::heading() const {
+  return model_.shows_live() ? live_headings_.value(segment_)
+                             : model_.keys().value_at(segment_, context_.time().playhead_s());
 }
 
 void BoneCard::follow_selection() {
@@ -148,7 +165,8 @@ void BoneCard::follow_selection() {
 
 void BoneCard::show_skeleton() {
   showing_ = true;
-  const auto& segments = model_.skeleton().segments;
+  const bool live = model_.shows_live();
+  const auto& segments = model_.shown_skeleton().segments;
   if (segment_ >= static_cast<int>(segments.size())) {
     segment_ = -1;
   }
@@ -166,8 +184,8 @@ void BoneCard::show_skeleton() {
   bones_->setCurrentIndex(segment_);
   bones_->setToolTip(bones_->currentText());
   bones_->setEnabled(!segments.empty());
-  const bool any = segment_ >= 0 && model_.solve() != nullptr;
-  length_->setEnabled(any);
+  length_->setEnabled(!live && segment_ >= 0 && model_.solve() != nullptr);
+  length_->setToolTip(live ? tr("Lengths are edited in a take") : QString());
   if (segment_ >= 0) {
     length_->setValue(1000.0 * segments[static_cast<std::size_t>(segment_)].length);
   } else {
@@ -181,24 +199,36 @@ void BoneCard::show_skeleton() {
 
 void BoneCard::show_heading() {
   showing_ = true;
-  const bool turns = segment_ >= 0 && model_.solve() != nullptr && model_.has_sensor(segment_);
+  const bool live = model_.shows_live();
+  const bool turns = segment_ >= 0 && model_.shown_sensor(segment_) && (live || model_.solve() != nullptr);
   for (QWidget* widget : std::initializer_list<QWidget*>{heading_, slider_, set_key_}) {
     widget->setEnabled(turns);
   }
-  const double value = degrees(model_.keys().value_at(segment_, context_.time().playhead_s()));
+  set_key_->setVisible(!live);
+  delete_key_->setVisible(!live);
+  straight_->setVisible(live);
+  const double value = degrees(heading());
+  straight_->setEnabled(turns && value != 0.0);
   if (!heading_->hasFocus() || std::abs(heading_->value() - value) > 0.05) {
     heading_->setValue(value);
   }
   if (!slider_->isSliderDown()) {
     slider_->setValue(static_cast<int>(std::lround(10.0 * std::remainder(value, 360.0))));
   }
+  slider_->setToolTip(live ? tr("Turns the live figure") : tr("Sets a key at the playhead"));
   if (segment_ < 0) {
     hint_->setText(tr("Click a bone in the view, or choose one here."));
   } else if (!turns) {
-    hint_->setText(model_.solve() ? tr("No sensor is worn here: it follows its parent.")
-                                  : tr("Rotations can be keyed once the take is solved."));
-  } else {
+    hint_->setText(live || model_.solve() ? tr("No sensor is worn here: it follows its parent.")
+                                          : tr("Rotations can be keyed once the take is solved."));
+  } else if (!live) {
     hint_->setText(tr("About the vertical, which gravity cannot tell. Turning it sets a key at the playhead."));
+  } else {
+    hint_->setText(context_.live().recording() && !context_.live().aside()
+                       ? tr("About the vertical, which gravity cannot tell. It holds from now on and becomes a key of "
+                            "the take that is being recorded.")
+                       : tr("About the vertical, which gravity cannot tell. It holds from now on, for the next take "
+                            "too."));
   }
   showing_ = false;
 }
@@ -208,14 +238,13 @@ void BoneCard::show_keys() {
   showing_ = true;
   QStringList texts;
   int current = -1;
-  if (segment_ >= 0 && segment_ < model_.keys().lane_count()) {
+  if (!model_.shows_live() && segment_ >= 0 && segment_ < model_.keys().lane_count()) {
     for (const LaneKey& key : model_.keys().keys(segment_)) {
       if (model_.key_editor().is_selected({segment_, key.id})) {
         current = static_cast<int>(texts.size());
       }
       texts << tr("%1    %2°")
-                   .arg(QString::fromStdString(time_label(key.time_s, 0.001)),
-                        locale().toString(degrees(key.value), 'f', 1));
+                   .arg(QString::fromStdString(time_label(key.time_s, 0.001)), signed_number(degrees(key.value), 1));
     }
   }
   while (list_->count() > texts.size()) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "common/theme.h"
+#include "workspaces/solve/quality_text.h"
 
 namespace limbwave::ui {
 
@@ -41,15 +42,9 @@ CurvesPanel::CurvesPanel(TimeModel& time, QWidget* parent) : QWidget(parent), ti
   connect(&time_, &TimeModel::playhead_changed, this, [this] { update(); });
 }
 
-void CurvesPanel::set_curves(const std::vector<SensorCurve>& curves, std::vector<double> times) {
-  rows_.clear();
+void CurvesPanel::set_curves(SensorCurves curves, std::vector<double> times) {
+  curves_ = std::move(curves);
   times_ = std::move(times);
-  for (const SensorCurve& curve : curves) {
-    Row& row = rows_.emplace_back();
-    row.curve = curve;
-    row.elevation.append(curve.elevation_deg);
-    row.trust.append(curve.trust);
-  }
   redraw();
 }
 
@@ -63,7 +58,7 @@ TimeScale CurvesPanel::scale() const {
 }
 
 QRectF CurvesPanel::row_rect(std::size_t row) const {
-  const double each = (height() - kHeader) / static_cast<double>(std::max<std::size_t>(1, rows_.size()));
+  const double each = (height() - kHeader) / static_cast<double>(std::max<std::size_t>(1, rows()));
   return {0.0, kHeader + each * static_cast<double>(row), static_cast<double>(width()), each};
 }
 
@@ -120,7 +115,7 @@ void CurvesPanel::draw(QPainter& painter) const {
   painter.drawText(QRectF(kNames, 0, width(), kHeader), Qt::AlignVCenter, tr("Elevation of the bone, −90° to 90°"));
   // The scale of trust, right beside its name.
   const QString trust = tr("Trust");
-  const QRectF bar(width() - kValues - 96, kHeader / 2 - 3, 64, 6);
+  const QRectF bar(width() - kValues - 140, kHeader / 2 - 3, 64, 6);
   const double named = painter.fontMetrics().horizontalAdvance(trust) + 4.0;
   painter.drawText(QRectF(bar.left() - 20 - named, 0, named, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
   painter.drawText(QRectF(bar.left() - 16, 0, 12, kHeader), Qt::AlignVCenter | Qt::AlignRight, QStringLiteral("0"));
@@ -128,7 +123,11 @@ void CurvesPanel::draw(QPainter& painter) const {
   for (int x = 0; x < static_cast<int>(bar.width()); ++x) {
     painter.fillRect(QRectF(bar.left() + x, bar.top(), 1, bar.height()), confidence_color(x / bar.width()));
   }
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
+  // Above the values at the playhead.
+  const double values = width() - kValues + kGrid;
+  painter.drawText(QRectF(values - 40, 0, 92, kHeader), Qt::AlignVCenter | Qt::AlignRight, tr("Elevation"));
+  painter.drawText(QRectF(values + 60, 0, 56, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
+  for (std::size_t row = 0; row < rows(); ++row) {
     draw_row(painter, row);
   }
 }
@@ -136,8 +135,8 @@ void CurvesPanel::draw(QPainter& painter) const {
 void CurvesPanel::draw_row(QPainter& painter, std::size_t row) const {
   const ThemeColors& theme = theme_colors(palette());
   const QRectF area = row_rect(row);
-  const Row& content = rows_[row];
-  const bool selected = selected_ >= 0 && content.curve.segment == selected_;
+  const SensorCurve& content = (*curves_)[row];
+  const bool selected = selected_ >= 0 && content.segment == selected_;
   if (selected) {
     QColor tint = theme.accent;
     tint.setAlphaF(0.10F);
@@ -152,7 +151,7 @@ void CurvesPanel::draw_row(QPainter& painter, std::size_t row) const {
   painter.setFont(tabular(font(), 0.92));
   painter.setPen(selected ? theme.text : theme.dim);
   painter.drawText(QRectF(kGrid, area.top(), kNames - 2 * kGrid, area.height()), Qt::AlignVCenter,
-                   painter.fontMetrics().elidedText(content.curve.name, Qt::ElideRight, static_cast<int>(kNames) - 16));
+                   painter.fontMetrics().elidedText(content.name, Qt::ElideRight, static_cast<int>(kNames) - 16));
   painter.save();
   painter.setClipRect(QRectF(plot.left(), area.top(), plot.width(), area.height()));
   painter.setPen(QPen(series_color(theme, static_cast<int>(row)), 1));
@@ -161,9 +160,9 @@ void CurvesPanel::draw_row(QPainter& painter, std::size_t row) const {
   painter.restore();
 }
 
-void CurvesPanel::draw_curve(QPainter& painter, const Row& row, const QRectF& area) const {
+void CurvesPanel::draw_curve(QPainter& painter, const SensorCurve& curve, const QRectF& area) const {
   const TimeScale s = scale();
-  const auto& values = row.curve.elevation_deg;
+  const auto& values = curve.elevation_deg;
   const auto count = static_cast<std::ptrdiff_t>(std::min(values.size(), times_.size()));
   if (count == 0) {
     return;
@@ -189,7 +188,7 @@ void CurvesPanel::draw_curve(QPainter& painter, const Row& row, const QRectF& ar
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
   std::vector<QLineF> bars;
-  for (const signal::MinMaxPoint& point : row.elevation.query(first, last + 1, static_cast<int>(s.width))) {
+  for (const signal::MinMaxPoint& point : curve.elevation_extremes.query(first, last + 1, static_cast<int>(s.width))) {
     const auto i = std::clamp<std::ptrdiff_t>(point.first, 0, count - 1);
     if (std::isfinite(point.minimum)) {
       bars.emplace_back(x(i), y(point.minimum), x(i), y(point.maximum) - 0.5);
@@ -198,9 +197,9 @@ void CurvesPanel::draw_curve(QPainter& painter, const Row& row, const QRectF& ar
   painter.drawLines(bars.data(), static_cast<int>(bars.size()));
 }
 
-void CurvesPanel::draw_trust(QPainter& painter, const Row& row, const QRectF& area) const {
+void CurvesPanel::draw_trust(QPainter& painter, const SensorCurve& curve, const QRectF& area) const {
   const TimeScale s = scale();
-  const auto count = static_cast<std::ptrdiff_t>(std::min(row.curve.trust.size(), times_.size()));
+  const auto count = static_cast<std::ptrdiff_t>(std::min(curve.trust.size(), times_.size()));
   if (count == 0) {
     return;
   }
@@ -216,18 +215,18 @@ void CurvesPanel::draw_trust(QPainter& painter, const Row& row, const QRectF& ar
   };
   if (last - first < 2 * static_cast<std::ptrdiff_t>(s.width)) {
     for (std::ptrdiff_t i = first; i <= last; ++i) {
-      paint(i, i + 1, row.curve.trust[static_cast<std::size_t>(i)]);
+      paint(i, i + 1, curve.trust[static_cast<std::size_t>(i)]);
     }
     return;
   }
   // The least trusted reading of a pixel shows: a short knock must not vanish.
-  for (const signal::MinMaxPoint& point : row.trust.query(first, last + 1, static_cast<int>(s.width))) {
+  for (const signal::MinMaxPoint& point : curve.trust_extremes.query(first, last + 1, static_cast<int>(s.width))) {
     paint(point.first, point.first + point.count, point.minimum);
   }
 }
 
 void CurvesPanel::draw_values(QPainter& painter) const {
-  if (rows_.empty() || time_.duration_s() <= 0.0) {
+  if (rows() == 0 || time_.duration_s() <= 0.0) {
     return;
   }
   const ThemeColors& theme = theme_colors(palette());
@@ -238,15 +237,15 @@ void CurvesPanel::draw_values(QPainter& painter) const {
   }
   const std::ptrdiff_t index = index_at(time_.playhead_s());
   painter.setFont(tabular(font(), 0.92));
-  for (std::size_t row = 0; row < rows_.size() && index >= 0; ++row) {
+  for (std::size_t row = 0; row < rows() && index >= 0; ++row) {
     const auto i = static_cast<std::size_t>(index);
-    const SensorCurve& curve = rows_[row].curve;
+    const SensorCurve& curve = (*curves_)[row];
     const QRectF area = row_rect(row);
     const QRectF cell(width() - kValues + kGrid, area.top(), kValues - 2 * kGrid, area.height());
     painter.setPen(theme.text);
     if (i < curve.elevation_deg.size() && std::isfinite(curve.elevation_deg[i])) {
       painter.drawText(QRectF(cell.left(), cell.top(), 52, cell.height()), Qt::AlignVCenter | Qt::AlignRight,
-                       tr("%1°").arg(locale().toString(static_cast<double>(curve.elevation_deg[i]), 'f', 1)));
+                       tr("%1°").arg(signed_number(static_cast<double>(curve.elevation_deg[i]), 1)));
     }
     if (i < curve.trust.size()) {
       painter.setPen(theme.dim);
@@ -261,9 +260,9 @@ void CurvesPanel::mousePressEvent(QMouseEvent* event) {
     return;
   }
   const QPointF at = event->position();
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
+  for (std::size_t row = 0; row < rows(); ++row) {
     if (row_rect(row).contains(at) && (at.x() < kNames || at.x() > width() - kValues)) {
-      Q_EMIT segment_clicked(rows_[row].curve.segment);
+      Q_EMIT segment_clicked((*curves_)[row].segment);
       return;
     }
   }

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "common/time_model.h"
-#include "signal/min_max_pyramid.h"
 #include "timeline/timeline_geometry.h"
-#include "workspaces/solve/solve_model.h"
+#include "workspaces/solve/solve_run.h"
 
 namespace limbwave::ui {
 
@@ -20,7 +19,7 @@ class CurvesPanel : public QWidget {
   explicit CurvesPanel(TimeModel& time, QWidget* parent = nullptr);
 
   /// `times`: of the values, seconds in the clip, increasing.
-  void set_curves(const std::vector<SensorCurve>& curves, std::vector<double> times);
+  void set_curves(SensorCurves curves, std::vector<double> times);
   /// Highlights the rows of a segment; -1: none.
   void select_segment(int segment);
 
@@ -39,11 +38,7 @@ class CurvesPanel : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  struct Row {
-    SensorCurve curve;
-    signal::MinMaxPyramid elevation{16};
-    signal::MinMaxPyramid trust{16};
-  };
+  [[nodiscard]] std::size_t rows() const { return curves_ ? curves_->size() : 0; }
   [[nodiscard]] TimeScale scale() const;
   [[nodiscard]] QRectF row_rect(std::size_t row) const;
   /// The value whose time is nearest to the playhead; -1 without values.
@@ -51,12 +46,12 @@ class CurvesPanel : public QWidget {
   void redraw();
   void draw(QPainter& painter) const;
   void draw_row(QPainter& painter, std::size_t row) const;
-  void draw_curve(QPainter& painter, const Row& row, const QRectF& area) const;
-  void draw_trust(QPainter& painter, const Row& row, const QRectF& area) const;
+  void draw_curve(QPainter& painter, const SensorCurve& curve, const QRectF& area) const;
+  void draw_trust(QPainter& painter, const SensorCurve& curve, const QRectF& area) const;
   void draw_values(QPainter& painter) const;
 
   TimeModel& time_;
-  std::vector<Row> rows_;
+  SensorCurves curves_;
   std::vector<double> times_;
   int selected_ = -1;
   QPixmap picture_;  ///< Everything but the playhead and its values.

@@ -81,6 +81,7 @@ QGridLayout* table(const QStringList& titles, QWidget* parent) {
 
 QualityCard::QualityCard(SolveModel& model, QWidget* parent) : Card(tr("Quality"), parent), model_(model) {
   connect(&model_, &SolveModel::solve_changed, this, &QualityCard::rebuild);
+  connect(&model_, &SolveModel::evaluation_changed, this, &QualityCard::rebuild);
   rebuild();
 }
 
@@ -94,7 +95,7 @@ void QualityCard::rebuild() {
     return;
   }
   const solve::QualityReport& report = model_.solve()->report;
-  const Verdict headline = overall_verdict(report);
+  const Verdict headline = overall_verdict(report, model_.evaluation() ? &*model_.evaluation() : nullptr);
   add_verdict(layout, headline, true, content);
 
   QGridLayout* grid = table({tr("Sensor"), tr("usable"), tr("trusted"), tr("at rest")}, content);

@@ -19,6 +19,7 @@ struct Quality {
 constexpr double kUsableGood = 0.98, kUsableBad = 0.90;
 constexpr double kTrustedGood = 0.5;
 constexpr double kNormGood = 0.02, kNormBad = 0.05;  // Of g, at rest.
+constexpr double kInclinationGood = 2.0;             // Degrees, mean: what the line-in paper reaches.
 constexpr double kLostGood = 0.002, kLostBad = 0.02;
 
 QString number(double value, int decimals) {
@@ -147,7 +148,7 @@ Verdict diagnostic_verdict(const Diagnostic& diagnostic) {
   return {tone, text, remedy};
 }
 
-Verdict overall_verdict(const solve::QualityReport& report) {
+Verdict overall_verdict(const solve::QualityReport& report, const evaluate::Evaluation* evaluation) {
   Verdict worst_part = line_verdict(report.line);
   for (const solve::SensorQuality& sensor : report.sensors) {
     const Verdict verdict = sensor_verdict(sensor);
@@ -160,18 +161,39 @@ Verdict overall_verdict(const solve::QualityReport& report) {
                                     [](const Diagnostic& d) { return d.severity == Severity::kError; });
     return diagnostic_verdict(*found);
   }
+  if (worst_part.tone != Tone::kGood) {
+    return worst_part;
+  }
   // Signals may be heard perfectly and still mean the wrong directions.
-  const auto calibration = std::find_if(report.diagnostics.begin(), report.diagnostics.end(), [](const Diagnostic& d) {
-    return d.severity == Severity::kWarning && d.code.rfind("calibration.", 0) == 0;
-  });
-  if (worst_part.tone == Tone::kGood && calibration != report.diagnostics.end()) {
+  const Diagnostic* calibration = nullptr;
+  for (const Diagnostic& one : report.diagnostics) {
+    const bool about =
+        one.code.rfind("calibration.", 0) == 0 || one.code.rfind("limb.", 0) == 0 || one.code.rfind("range.", 0) == 0;
+    if (about && (calibration == nullptr || one.severity > calibration->severity)) {
+      calibration = &one;
+    }
+  }
+  if (calibration != nullptr) {
     const Verdict verdict = diagnostic_verdict(*calibration);
-    return {Tone::kWarning, Quality::tr("Every sensor was heard, but: %1").arg(verdict.text), verdict.remedy};
+    return {Tone::kWarning,
+            calibration->severity == Severity::kInfo
+                ? Quality::tr("Usable: every sensor was heard, but: %1").arg(verdict.text)
+                : Quality::tr("Every sensor was heard, but: %1").arg(verdict.text),
+            verdict.remedy};
   }
-  if (worst_part.tone == Tone::kGood) {
-    return {Tone::kGood, Quality::tr("Good: every sensor was heard and trusted."), {}};
+  if (evaluation != nullptr && evaluation->all.inclination_mean_deg > kInclinationGood) {
+    return {Tone::kWarning,
+            Quality::tr("Every sensor was heard, but the figure is off by %1.")
+                .arg(error_text(evaluation->all.inclination_mean_deg, evaluation->all.inclination_max_deg)),
+            Quality::tr("Fast movement does that: try another smoothing, and check the mounting.")};
   }
-  return worst_part;
+  return {Tone::kGood, Quality::tr("Good: every sensor was heard and trusted."), {}};
+}
+
+QString signed_number(double value, int decimals) {
+  const QString digits = number(std::abs(value), decimals);
+  const bool zero = digits == number(0.0, decimals);
+  return value < 0.0 && !zero ? QChar(0x2212) + digits : digits;
 }
 
 QString error_text(double mean_deg, double max_deg) {

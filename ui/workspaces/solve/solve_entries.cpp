@@ -51,8 +51,10 @@ std::vector<ShortcutHelp> timeline_shortcuts() {
       {SolveEntries::tr("Home / End"), SolveEntries::tr("To the start or the end")},
       {SolveEntries::tr("Shift+Home"), SolveEntries::tr("Show the whole clip")},
       {SolveEntries::tr("I"), SolveEntries::tr("Set a key for the selected bone")},
-      {SolveEntries::tr("Del"), SolveEntries::tr("Delete the selected keys")},
-      {SolveEntries::tr("Alt+Left / Alt+Right"), SolveEntries::tr("Move the selected keys by a frame")},
+      {SolveEntries::tr("Del"), SolveEntries::tr("Delete the selected keys or the selected marker")},
+      {SolveEntries::tr("F2"), SolveEntries::tr("Rename the selected marker")},
+      {SolveEntries::tr("Alt+Left / Alt+Right"),
+       SolveEntries::tr("Move the selected keys or the selected marker by a frame")},
       {SolveEntries::tr("Alt+Up / Alt+Down"), SolveEntries::tr("Turn the selected keys by 1°; with Shift by 0.1°")}};
 }
 

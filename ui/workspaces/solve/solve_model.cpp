@@ -5,51 +5,16 @@
 #include <cmath>
 
 #include "solve/compose.h"
-#include "workspaces/solve/solve_commands.h"
 #include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui {
 
 namespace {
 
-constexpr double kShortest = 0.01;  // Metres.
-constexpr double kLongest = 2.0;
 constexpr int kSolveAfterMs = 250;  // A slider that is still moving does not start a solve at every step.
 constexpr int kSaveAfterMs = 800;
 
-std::vector<SensorCurve> make_curves(const take::Take& take, const solve::Solve& solve) {
-  const body::Rig& rig = take.info.rig;
-  const std::vector<int> segments = solve::sensor_segments(rig, solve.clip.skeleton);
-  std::vector<std::vector<float>> elevation = elevations(solve.clip, segments);
-  std::vector<SensorCurve> curves;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    SensorCurve curve;
-    curve.name = QString::fromStdString(rig.accelerometers[i].name);
-    curve.segment = segments[i];
-    curve.elevation_deg = std::move(elevation[i]);
-    if (i < solve.trust.size()) {
-      curve.trust = solve.trust[i];
-    }
-    curves.push_back(std::move(curve));
-  }
-  return curves;
-}
-
 }  // namespace
-
-/// What a run brings back from its thread.
-struct SolveModel::Outcome {
-  std::shared_ptr<const solve::Solve> solve;
-  std::vector<SensorCurve> curves;
-  std::shared_ptr<const evaluate::Truth> truth;
-  std::optional<evaluate::Evaluation> evaluation;
-  Status compared;
-  bool fresh = false;  ///< Solved now, so not on disk yet.
-  /// What was wrong with the saved solve, where it is now, and whether its keys could be read.
-  std::optional<Error> damage;
-  std::filesystem::path aside;
-  bool kept_keys = false;
-};
 
 SolveModel& SolveModel::of(StudioContext& context) {
   if (auto* made = context.findChild<SolveModel*>({}, Qt::FindDirectChildrenOnly)) {
@@ -96,6 +61,35 @@ bool SolveModel::has_sensor(int segment) const {
          has_sensor_[static_cast<std::size_t>(segment)];
 }
 
+void SolveModel::set_shows_live(bool live) {
+  if (live != shows_live_) {
+    shows_live_ = live;
+    const solve::LiveSettings& capture = context_.live().settings();
+    live_sensors_ = segments_with_sensors(capture.rig, capture.skeleton);
+    Q_EMIT shows_live_changed();
+  }
+}
+
+const body::Skeleton& SolveModel::shown_skeleton() const {
+  return shows_live_ ? context_.live().settings().skeleton : skeleton_;
+}
+
+bool SolveModel::shown_sensor(int segment) const {
+  if (!shows_live_) {
+    return has_sensor(segment);
+  }
+  return segment >= 0 && static_cast<std::size_t>(segment) < live_sensors_.size() &&
+         live_sensors_[static_cast<std::size_t>(segment)];
+}
+
+int SolveModel::segment_of_sensor(int sensor) const {
+  const body::Rig* rig = shows_live_ ? &context_.live().settings().rig : take_ ? &take_->info.rig : nullptr;
+  if (rig == nullptr || sensor < 0 || static_cast<std::size_t>(sensor) >= rig->accelerometers.size()) {
+    return -1;
+  }
+  return shown_skeleton().find(rig->accelerometers[static_cast<std::size_t>(sensor)].segment);
+}
+
 double SolveModel::clip_start_s() const {
   return take_ ? take_->info.format.rate.seconds(take_->info.capture().first).value : 0.0;
 }
@@ -114,7 +108,7 @@ void SolveModel::follow_document(bool other) {
   cancel();
   solve_soon_.stop();
   solve_.reset();
-  curves_.clear();
+  curves_.reset();
   truth_.reset();
   evaluation_.reset();
   settings_ = {};
@@ -140,157 +134,6 @@ void SolveModel::follow_document(bool other) {
   }
 }
 
-void SolveModel::open_or_solve() {
-  const std::vector<std::string> names = services_.list(*take_);
-  if (names.empty()) {
-    run(false);
-    return;
-  }
-  const bool has_default = std::find(names.begin(), names.end(), settings_.name) != names.end();
-  settings_.name = has_default ? settings_.name : names.front();
-  run(true);
-}
-
-void SolveModel::start() {
-  if (take_) {
-    solve_soon_.stop();
-    run(false);
-  }
-}
-
-void SolveModel::cancel() {
-  if (job_) {
-    job_->cancel();
-  }
-}
-
-void SolveModel::run(bool load) {
-  cancel();
-  const int attempt = ++attempt_;
-  solve::SolveSettings settings = settings_;
-  settings.headings = headings();
-  auto work = [load, settings, take = take_, services = services_, lengths = solve_ ? skeleton_ : body::Skeleton{},
-               start_s = clip_start_s()](const Progress& progress) mutable -> Result<Outcome> {
-    Outcome outcome;
-    const auto solve_or_load = [&]() -> Result<solve::Solve> {
-      if (load) {
-        Result<solve::Solve> loaded = services.load(*take, settings.name);
-        if (loaded || is_cancelled(loaded.error())) {
-          return loaded;
-        }
-        // Keys and lengths are the user's own and cannot be computed again: keep what is there.
-        outcome.damage = loaded.error();
-        if (Result<solve::SolveSettings> kept = services.load_settings(*take, settings.name); kept) {
-          settings = std::move(kept).value();
-          outcome.kept_keys = true;
-        }
-        Result<std::filesystem::path> aside = services.set_aside(*take, settings.name);
-        if (!aside) {
-          return aside.error();
-        }
-        outcome.aside = std::move(aside).value();
-      }
-      outcome.fresh = true;
-      return services.solve(*take, settings, progress.part(0.0, 0.9));
-    };
-    Result<solve::Solve> solved = solve_or_load();
-    if (!solved) {
-      return solved.error();
-    }
-    auto solve = std::make_shared<solve::Solve>(std::move(solved).value());
-    if (!load && lengths.segments.size() == solve->clip.skeleton.segments.size()) {
-      solve->clip.skeleton = lengths;  // Edited lengths outlive a new solve.
-    }
-    outcome.curves = make_curves(*take, *solve);
-    Result<std::optional<evaluate::Truth>> truth =
-        services.load_truth ? services.load_truth(*take) : std::optional<evaluate::Truth>();
-    if (!truth) {
-      outcome.compared = truth.error();
-    } else if (truth->has_value()) {
-      outcome.truth = std::make_shared<const evaluate::Truth>(*std::move(truth).value());
-      Result<evaluate::Evaluation> evaluation = services.evaluate(solve->clip, start_s, *outcome.truth);
-      if (evaluation) {
-        outcome.evaluation = std::move(evaluation).value();
-      } else {
-        outcome.compared = evaluation.error();
-      }
-    }
-    outcome.solve = std::move(solve);
-    return outcome;
-  };
-  const QString title = load ? tr("Reading the solve") : tr("Solving %1").arg(context_.document().name());
-  job_ = context_.jobs().compute<Outcome>(title, this, std::move(work),
-                                          [this, attempt, edits = edits_](Result<Outcome> result) {
-                                            if (attempt != attempt_) {
-                                              return;
-                                            }
-                                            job_.clear();
-                                            if (result) {
-                                              finish(std::move(result).value(), edits);
-                                            } else {
-                                              fail(result.error());
-                                            }
-                                          });
-  set_state(load ? SolveState::kLoading : SolveState::kSolving);
-}
-
-void SolveModel::fail(const Error& error) {
-  if (is_cancelled(error) && solve_) {
-    set_state(SolveState::kSolved);  // What was there before is still good.
-    return;
-  }
-  error_ = is_cancelled(error) ? Error{tr("Solving was cancelled").toStdString(), {}, {}} : error;
-  set_state(SolveState::kFailed);
-}
-
-void SolveModel::finish(Outcome outcome, int edits) {
-  const bool first = solve_ == nullptr;
-  solve_ = std::move(outcome.solve);
-  curves_ = std::move(outcome.curves);
-  truth_ = std::move(outcome.truth);
-  evaluation_ = std::move(outcome.evaluation);
-  // What was edited while it was being solved is newer than what it was solved with.
-  const bool edited_meanwhile = !first && edits != edits_;
-  if (!edited_meanwhile || skeleton_.segments.size() != solve_->clip.skeleton.segments.size()) {
-    skeleton_ = solve_->clip.skeleton;
-  }
-  has_sensor_ = segments_with_sensors(take_->info.rig, skeleton_);
-  if (first) {
-    settings_ = solve_->settings;
-    load_keys();
-    Q_EMIT settings_changed();
-  }
-  const double rate = solve_->clip.frame_rate_hz;
-  set_extent(solve_->clip.duration(), rate > 0 ? 1.0 / rate : 1.0 / 60.0);
-  if (outcome.damage) {
-    const QString name = QString::fromStdString(outcome.aside.filename().string());
-    context_.notifications().post(
-        Severity::kWarning,
-        (outcome.kept_keys
-             ? tr("The saved solve could not be read. It was solved again with its keys and settings; lengths "
-                  "are the rig's. What could not be read is kept in the take as %1.")
-             : tr("The saved solve could not be read, nor its keys. It was solved again without them. What "
-                  "could not be read is kept in the take as %1."))
-            .arg(name),
-        QString::fromStdString(outcome.damage->text()));
-  }
-  if (!outcome.compared) {
-    context_.notifications().post_error(tr("The solve could not be compared with the truth"), outcome.compared.error());
-  }
-  if (outcome.fresh) {
-    unsaved_ = true;
-    saving_.clear();
-    save();
-  }
-  if (edited_meanwhile) {
-    evaluate_edits();
-  }
-  set_state(SolveState::kSolved);
-  Q_EMIT skeleton_changed();
-  Q_EMIT solve_changed();
-  Q_EMIT evaluation_changed();
-}
-
 void SolveModel::load_keys() {
   loading_keys_ = true;
   std::vector<QString> names;
@@ -302,7 +145,12 @@ void SolveModel::load_keys() {
   for (std::size_t i = 0; solve_ && i < std::min(names.size(), solve_->settings.headings.size()); ++i) {
     std::vector<LaneKey> lane;
     for (const solve::HeadingKey& key : solve_->settings.headings[i]) {
-      lane.push_back({0, key.time_s, key.heading});
+      // What was keyed while recording may lie a little behind the last frame.
+      const double time_s = std::clamp(key.time_s, 0.0, keys_.duration_s());
+      if (!lane.empty() && time_s - lane.back().time_s < keys_.smallest_gap_s()) {
+        lane.pop_back();
+      }
+      lane.push_back({0, time_s, key.heading});
     }
     keys_.load(static_cast<int>(i), lane);
   }
@@ -315,17 +163,6 @@ void SolveModel::set_extent(double duration_s, double frame_s) {
     return;  // Solved again: the playhead stays.
   }
   time.set_extent(duration_s, frame_s);
-}
-
-std::vector<std::vector<solve::HeadingKey>> SolveModel::headings() const {
-  std::vector<std::vector<solve::HeadingKey>> lists;
-  for (int lane = 0; lane < keys_.lane_count(); ++lane) {
-    std::vector<solve::HeadingKey>& list = lists.emplace_back();
-    for (const LaneKey& key : keys_.keys(lane)) {
-      list.push_back({key.time_s, key.value});
-    }
-  }
-  return lists;
 }
 
 double SolveModel::heading_change(int segment, double time_s) const {
@@ -345,106 +182,6 @@ void SolveModel::pose_at(double time_s, std::vector<body::SegmentPose>& poses) c
 
 std::vector<body::SegmentPose> SolveModel::truth_at(double time_s) const {
   return truth_ ? truth_pose(*truth_, skeleton_, clip_start_s() + time_s) : std::vector<body::SegmentPose>();
-}
-
-std::function<solve::Solve()> SolveModel::edited() const {
-  if (!solve_ || !take_) {
-    return {};
-  }
-  return [solve = solve_, headings = headings(), skeleton = skeleton_,
-          segments = solve::sensor_segments(take_->info.rig, skeleton_)] {
-    solve::Solve copy = *solve;
-    copy.clip.skeleton = skeleton;
-    solve::apply_headings(copy, segments, headings);
-    return copy;
-  };
-}
-
-void SolveModel::change_settings(const solve::SolveSettings& settings, const QString& what, int gesture) {
-  context_.undo_stack().push(new ChangeSettingsCommand(*this, settings_, settings, what, gesture));
-}
-
-void SolveModel::set_settings(const solve::SolveSettings& settings) {
-  settings_ = settings;
-  Q_EMIT settings_changed();
-  solve_soon_.start();
-}
-
-bool SolveModel::change_length(int segment, double length, int gesture) {
-  if (segment < 0 || static_cast<std::size_t>(segment) >= skeleton_.segments.size() || !std::isfinite(length) ||
-      length < kShortest || length > kLongest) {
-    return false;
-  }
-  const body::Segment& bone = skeleton_.segments[static_cast<std::size_t>(segment)];
-  if (std::abs(bone.length - length) < 1e-9) {
-    return false;
-  }
-  context_.undo_stack().push(new ChangeLengthCommand(
-      *this, segment, bone.length, length, tr("change length of %1").arg(QString::fromStdString(bone.name)), gesture));
-  return true;
-}
-
-void SolveModel::set_length(int segment, double length) {
-  skeleton_ = body::with_length(skeleton_, segment, length);
-  Q_EMIT skeleton_changed();
-  Q_EMIT pose_changed();
-  note_edit();
-}
-
-void SolveModel::note_edit() {
-  ++edits_;
-  unsaved_ = true;
-  save_soon_.start();
-}
-
-void SolveModel::save() {
-  save_soon_.stop();
-  if (!solve_ || !take_ || !unsaved_) {
-    return;
-  }
-  if (saving_) {
-    save_soon_.start();  // One after the other, so that the newest stays.
-    return;
-  }
-  unsaved_ = false;
-  saving_ = context_.jobs().start(
-      tr("Saving the solve"), this,
-      [take = take_, edited = edited(), save = services_.save, writer = writer_,
-       number = writer_->issue()](const Progress&) {
-        return writer->write(number, take->folder.string(), [&] { return save(*take, edited()); });
-      },
-      [this, take = take_](const Status& status) {
-        saving_.clear();
-        if (!status) {
-          context_.notifications().post_error(tr("The solve could not be saved in the take"), status.error());
-          unsaved_ = unsaved_ || take == take_;
-        }
-      });
-}
-
-void SolveModel::evaluate_edits() {
-  if (!truth_ || !solve_) {
-    return;
-  }
-  if (evaluating_) {
-    evaluating_->cancel();
-  }
-  evaluating_ = context_.jobs().compute<evaluate::Evaluation>(
-      tr("Comparing with the truth"), this,
-      [edited = edited(), truth = truth_, start_s = clip_start_s(),
-       compare = services_.evaluate](const Progress& progress) -> Result<evaluate::Evaluation> {
-        if (!progress.report(0.0, "comparing")) {
-          return cancelled();
-        }
-        return compare(edited().clip, start_s, *truth);
-      },
-      // Only the newest state counts.
-      [this, attempt = attempt_, edits = edits_](const Result<evaluate::Evaluation>& evaluation) {
-        if (attempt == attempt_ && edits == edits_ && evaluation) {
-          evaluation_ = *evaluation;
-          Q_EMIT evaluation_changed();
-        }
-      });
 }
 
 }  // namespace limbwave::ui

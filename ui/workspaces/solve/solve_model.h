@@ -11,20 +11,13 @@
 
 #include "common/studio_context.h"
 #include "timeline/key_commands.h"
+#include "workspaces/solve/solve_run.h"
 #include "workspaces/solve/solve_services.h"
 #include "workspaces/solve/solve_writer.h"
 
 namespace limbwave::ui {
 
 enum class SolveState { kNoTake, kLoading, kSolving, kSolved, kFailed };
-
-/// What curves show of a sensor, made beside the window. One value per frame of the clip.
-struct SensorCurve {
-  QString name;
-  int segment = -1;
-  std::vector<float> elevation_deg;
-  std::vector<float> trust;  ///< 0..1
-};
 
 class SolveModel : public QObject {
   Q_OBJECT
@@ -44,10 +37,21 @@ class SolveModel : public QObject {
   [[nodiscard]] const body::Skeleton& skeleton() const { return skeleton_; }
   [[nodiscard]] KeyModel& keys() { return keys_; }
   [[nodiscard]] KeyEditor& key_editor() { return key_editor_; }
-  [[nodiscard]] const std::vector<SensorCurve>& curves() const { return curves_; }
+  /// Of every sensor of the rig; null before there is a solve.
+  [[nodiscard]] const SensorCurves& curves() const { return curves_; }
   [[nodiscard]] const std::optional<evaluate::Evaluation>& evaluation() const { return evaluation_; }
   [[nodiscard]] bool has_truth() const { return truth_ != nullptr; }
   [[nodiscard]] bool has_sensor(int segment) const;
+
+  /// The workspace shows the live figure: what is said about bones is about that one, not about the take.
+  [[nodiscard]] bool shows_live() const { return shows_live_; }
+  void set_shows_live(bool live);
+  /// Of the figure that is shown: the take's with its edits, or the live one's.
+  [[nodiscard]] const body::Skeleton& shown_skeleton() const;
+  [[nodiscard]] bool shown_sensor(int segment) const;
+  /// The segment that the rig's sensor sits on; -1: none.
+  [[nodiscard]] int segment_of_sensor(int sensor) const;
+
   /// Where the clip's time 0 lies in the take, seconds.
   [[nodiscard]] double clip_start_s() const;
   [[nodiscard]] const SolveServices& services() const { return services_; }
@@ -83,19 +87,20 @@ class SolveModel : public QObject {
   void skeleton_changed();
   void settings_changed();
   void evaluation_changed();
+  void shows_live_changed();
 
  private:
-  struct Outcome;
   void follow_document(bool other);
   void open_or_solve();
   void run(bool load);
-  void finish(Outcome outcome, int edits);
+  void finish(SolveOutcome outcome, int edits);
   void fail(const Error& error);
   void set_state(SolveState state);
   void load_keys();
   void set_extent(double duration_s, double frame_s);
   void note_edit();
   void evaluate_edits();
+  /// Of the keys; before the first solve those that were set while the take was recorded.
   [[nodiscard]] std::vector<std::vector<solve::HeadingKey>> headings() const;
   [[nodiscard]] double heading_change(int segment, double time_s) const;
 
@@ -107,7 +112,8 @@ class SolveModel : public QObject {
   solve::SolveSettings settings_;
   body::Skeleton skeleton_;
   std::vector<bool> has_sensor_;
-  std::vector<SensorCurve> curves_;
+  std::vector<bool> live_sensors_;  ///< Of the live figure's segments.
+  SensorCurves curves_;
   std::shared_ptr<const evaluate::Truth> truth_;
   std::optional<evaluate::Evaluation> evaluation_;
   Error error_;
@@ -119,7 +125,8 @@ class SolveModel : public QObject {
   std::shared_ptr<SolveWriter> writer_ = std::make_shared<SolveWriter>();
   int edits_ = 0;    ///< Counts edits of keys and lengths.
   int attempt_ = 0;  ///< Counts runs, so that one that was overtaken is dropped.
-  bool loading_keys_ = false, unsaved_ = false;
+  bool loading_keys_ = false, unsaved_ = false, shows_live_ = false;
+  bool compare_again_ = false;  ///< Edited while it was being compared with the truth.
   QTimer solve_soon_, save_soon_;
 };
 

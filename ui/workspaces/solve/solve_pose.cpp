@@ -94,6 +94,42 @@ std::vector<Vector3d> motion_extent(const motion::Clip& clip, int instants) {
   return points;
 }
 
+std::vector<Vector3d> reach_extent(const body::Skeleton& skeleton) {
+  std::vector<Vector3d> points;
+  if (skeleton.segments.empty()) {
+    return points;
+  }
+  const std::vector<body::SegmentPose> rest = motion::rest_poses(skeleton);
+  std::vector<double> reach;
+  for (const body::Segment& segment : skeleton.segments) {
+    reach.push_back(segment.length);
+  }
+  bool alone = true;
+  for (std::size_t i = skeleton.segments.size(); i-- > 1;) {  // Children come after their parents.
+    const body::Segment& segment = skeleton.segments[i];
+    const auto parent = static_cast<std::size_t>(segment.parent);
+    reach[parent] = std::max(reach[parent], segment.p_PL.norm() + reach[i]);
+  }
+  const auto sphere = [&](const Vector3d& centre, double radius) {
+    for (int axis = 0; axis < 3; ++axis) {
+      points.emplace_back(centre + radius * Vector3d::Unit(axis));
+      points.emplace_back(centre - radius * Vector3d::Unit(axis));
+    }
+  };
+  for (std::size_t i = 1; i < skeleton.segments.size(); ++i) {
+    if (skeleton.segments[i].parent == 0) {
+      sphere(rest[i].p_WL, reach[i]);
+      alone = false;
+    }
+  }
+  if (alone) {
+    sphere(rest[0].p_WL, reach[0]);
+  }
+  points.push_back(rest[0].p_WL);
+  points.emplace_back(rest[0].p_WL + rest[0].R_WL * Vector3d(skeleton.segments[0].length, 0, 0));
+  return points;
+}
+
 std::vector<std::vector<float>> elevations(const motion::Clip& clip, const std::vector<int>& segments) {
   std::vector<std::vector<float>> lists(segments.size());
   if (clip.joints.empty()) {

@@ -29,6 +29,10 @@ std::vector<body::SegmentPose> truth_pose(const evaluate::Truth& truth, const bo
 /// Both ends of all bones at `instants` times spread over the clip, metres.
 std::vector<Eigen::Vector3d> motion_extent(const motion::Clip& clip, int instants);
 
+/// Where a figure may reach while its root stands: the root's bone, and a sphere about the joint of each of its
+/// children, as large as what hangs on it is long when stretched. Metres.
+std::vector<Eigen::Vector3d> reach_extent(const body::Skeleton& skeleton);
+
 /// Elevation of a bone over the horizontal at every key of the clip's root, degrees; one list per segment asked for.
 /// Headings do not change it.
 std::vector<std::vector<float>> elevations(const motion::Clip& clip, const std::vector<int>& segments);

@@ -49,13 +49,42 @@ void show_take(StudioContext& context, SolveModel& model, TimelineCanvas& canvas
     }
   }
   canvas.set_markers(std::move(markers));
+  // While a recording runs, markers are the recording's and not those of the take that is shown.
+  canvas.set_markers_editable(context.document().is_open() && !context.markers().recording());
   canvas.set_stretches(std::move(stretches));
 }
 
 void show_hint(SolveModel& model, TimelineCanvas& canvas) {
-  canvas.set_hint(model.solve()
-                      ? SolveTimeline::tr("Select a bone, then press I to key its rotation about the vertical.")
-                      : SolveTimeline::tr("Keys of the bones appear here once a take is solved."));
+  canvas.set_hint(
+      model.shows_live() ? SolveTimeline::tr("Live: what you turn now becomes keys here once it is recorded.")
+      : model.solve()    ? SolveTimeline::tr("Select a bone, then press I to key its rotation about the vertical.")
+                         : SolveTimeline::tr("Keys of the bones appear here once a take is solved."));
+}
+
+// Markers are edited through the model that Capture uses too; times of the clip become times of the take.
+void connect_markers(StudioContext& context, SolveModel& model, TimelineWidget& timeline) {
+  TimelineCanvas& canvas = timeline.canvas();
+  QObject::connect(&canvas, &TimelineCanvas::marker_clicked, &timeline,
+                   [&context](int number) { context.selection().select_marker(number); });
+  QObject::connect(&canvas, &TimelineCanvas::marker_moved, &timeline, [&context, &model](int number, double time_s) {
+    context.markers().move(number, time_s + model.clip_start_s());
+  });
+  QObject::connect(&canvas, &TimelineCanvas::marker_renamed, &timeline,
+                   [&context](int number, const QString& text) { context.markers().rename(number, text); });
+  QObject::connect(&canvas, &TimelineCanvas::marker_removed, &timeline,
+                   [&context](int number) { context.markers().remove(number); });
+  QObject::connect(&canvas, &TimelineCanvas::marker_wanted, &timeline, [&context, &model, &canvas](double time_s) {
+    if (context.markers().add(time_s + model.clip_start_s())) {
+      context.selection().select_marker(context.markers().newest());
+      canvas.edit_marker(static_cast<int>(context.markers().newest()));
+    }
+  });
+  QObject::connect(&context.markers(), &MarkerModel::changed, &timeline, [&context] {
+    const std::int64_t chosen = context.selection().marker();
+    if (chosen != 0 && context.markers().find(chosen) == nullptr) {
+      context.selection().clear();  // It was deleted, or undone.
+    }
+  });
 }
 
 }  // namespace
@@ -72,6 +101,8 @@ QWidget* make_solve_timeline(StudioContext& context, QWidget* parent) {
   QObject::connect(&context.time(), &TimeModel::extent_changed, timeline, refresh);
   QObject::connect(&context.document(), &TakeDocument::changed, timeline, refresh);
   QObject::connect(&context.document(), &TakeDocument::events_changed, timeline, refresh);
+  QObject::connect(&context.live(), &LiveModel::recording_changed, timeline, refresh);
+  connect_markers(context, model, *timeline);
   refresh();
 
   // One selection: of a key here is of a key everywhere, and the other way round.
@@ -80,8 +111,6 @@ QWidget* make_solve_timeline(StudioContext& context, QWidget* parent) {
       context.selection().select(SelectionKind::kSegment, lane);
     }
   });
-  QObject::connect(&canvas, &TimelineCanvas::marker_clicked, timeline,
-                   [&context](int number) { context.selection().select_marker(number); });
   QObject::connect(&model.key_editor(), &KeyEditor::selection_changed, timeline, [&context, &model] {
     const auto& selected = model.key_editor().selected();
     if (!selected.empty()) {
@@ -91,12 +120,19 @@ QWidget* make_solve_timeline(StudioContext& context, QWidget* parent) {
       context.selection().select(SelectionKind::kSegment, context.selection().item().index);
     }
   });
-  QObject::connect(&context.selection(), &Selection::changed, timeline, [&model, timeline](const SelectedItem& item) {
+  const auto show_selection = [&context, &model, timeline] {
+    const SelectedItem& item = context.selection().item();
     const int segment = segment_of_selection(item, model);
-    timeline->set_current_lane(model.has_sensor(segment) ? segment : -1);
-    if (item.kind != SelectionKind::kHeadingKey && item.kind != SelectionKind::kMarker) {
+    timeline->set_current_lane(!model.shows_live() && model.has_sensor(segment) ? segment : -1);
+    timeline->select_marker(context.markers().recording() ? 0 : static_cast<int>(context.selection().marker()));
+    if (item.kind != SelectionKind::kHeadingKey) {
       model.key_editor().select({});
     }
+  };
+  QObject::connect(&context.selection(), &Selection::changed, timeline, show_selection);
+  QObject::connect(&model, &SolveModel::shows_live_changed, timeline, [refresh, show_selection] {
+    refresh();
+    show_selection();
   });
   return timeline;
 }

@@ -19,6 +19,7 @@
 #include "common/latency_text.h"
 #include "common/theme.h"
 #include "common/widgets.h"
+#include "workspaces/record_banner.h"
 #include "workspaces/solve/bone_card.h"
 #include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/quality_text.h"
@@ -30,6 +31,8 @@ namespace limbwave::ui {
 namespace {
 
 constexpr int kLiveStatusMs = 500;
+constexpr int kExtentInstants = 60;
+constexpr int kVerdictIcon = 18;
 
 std::vector<ViewerSensor> viewer_sensors(const body::Rig& rig, const body::Skeleton& skeleton) {
   std::vector<ViewerSensor> list;
@@ -46,7 +49,9 @@ SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   pages_ = new QStackedWidget(this);
-  layout->addWidget(pages_);
+  layout->setSpacing(0);
+  layout->addWidget(new RecordBanner(context_, this));
+  layout->addWidget(pages_, 1);
   empty_ = new EmptyState(QStringLiteral("solve"), pages_);
   empty_button_ = empty_->add_button(tr("Capture a take"), true);
   pages_->addWidget(empty_);
@@ -64,6 +69,10 @@ QWidget* SolveWorkspace::make_toolbar() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
   row->setSpacing(4);
+  verdict_ = new QLabel(bar);
+  verdict_->setObjectName(QStringLiteral("solve_verdict"));
+  row->addWidget(verdict_);
+  row->addSpacing(4);
   status_ = new ElidedLabel({}, bar);
   status_->setFont(tabular(font()));
   live_button_ = new QPushButton(tr("Live"), bar);
@@ -98,7 +107,10 @@ QWidget* SolveWorkspace::make_toolbar() {
   toggle(QStringLiteral("sensor"), tr("Show the sensors"), [this](bool on) { viewer_->set_sensors_visible(on); });
   ghost_ = toggle(QStringLiteral("person"), tr("Show the truth of this simulated take"),
                   [this](bool on) { viewer_->set_ghost_visible(on); });
-  connect(live_button_, &QPushButton::clicked, this, &SolveWorkspace::set_live);
+  connect(live_button_, &QPushButton::clicked, this, [this](bool live) {
+    wish_ = live;
+    follow_live();
+  });
   return bar;
 }
 
@@ -108,10 +120,11 @@ QWidget* SolveWorkspace::make_failure_bar() {
   row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
   row->setSpacing(kGrid);
   failure_ = new QLabel(failure_bar_);
-  failure_->setProperty("role", QStringLiteral("danger"));
   failure_->setWordWrap(true);
+  failure_icon_ = new QLabel(failure_bar_);
   retry_ = new QPushButton(tr("Try again"), failure_bar_);
   calibrate_ = new QPushButton(tr("Calibrate"), failure_bar_);
+  row->addWidget(failure_icon_);
   row->addWidget(failure_, 1);
   row->addWidget(calibrate_);
   row->addWidget(retry_);
@@ -144,14 +157,19 @@ void SolveWorkspace::follow_context() {
   connect(&model_, &SolveModel::state_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::solve_changed, this, [this] {
     show_figure();
+    show_curves();
     show_state();
     play_first_demo();
   });
   connect(&context_.document(), &TakeDocument::changed, this, [this](bool other) {
     if (other) {
-      viewer_->set_extent({});  // The next solve places the camera anew.
+      // What was just opened or recorded is what one wants to see.
+      wish_.reset();
+      framed_take_ = false;
+      follow_live();
     }
   });
+  connect(&model_, &SolveModel::evaluation_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::skeleton_changed, this, &SolveWorkspace::show_skeleton);
   connect(retry_, &QPushButton::clicked, &model_, &SolveModel::start);
   connect(calibrate_, &QPushButton::clicked, this, [this] { context_.reveal(QStringLiteral("calibrate")); });
@@ -168,7 +186,7 @@ void SolveWorkspace::follow_context() {
   connect(viewer_, &ViewerWidget::segment_clicked, this, choose);
   connect(curves_, &CurvesPanel::segment_clicked, this, choose);
   connect(&context_.live(), &LiveModel::state_changed, this, &SolveWorkspace::follow_live);
-  connect(&context_.live(), &LiveModel::recording_changed, this, &SolveWorkspace::follow_live);
+  connect(&context_.live(), &LiveModel::recording_changed, this, &SolveWorkspace::follow_recording);
   connect(&context_.live(), &LiveModel::figure_ready, this, &SolveWorkspace::show_live_figure);
   connect(&live_timer_, &QTimer::timeout, this, &SolveWorkspace::show_live_status);
   connect(viewer_, &ViewerWidget::frame_rendered, this, &SolveWorkspace::note_live_frame);
@@ -196,75 +214,16 @@ void SolveWorkspace::play_first_demo() {
 
 void SolveWorkspace::activate() {
   active_ = true;
+  model_.set_shows_live(live_);
   follow_live();
+  show_live_figure();
   viewer_->setFocus();
 }
 
 void SolveWorkspace::deactivate() {
   active_ = false;
   live_timer_.stop();
-}
-
-void SolveWorkspace::follow_live() {
-  const LiveModel& live = context_.live();
-  live_button_->setVisible(live.running());
-  // While recording, the figure is the performer; afterwards it is the take again.
-  set_live(live.running() && (live.recording() || !context_.document().is_open()));
-}
-
-void SolveWorkspace::set_live(bool live) {
-  const bool before = live_;
-  live_ = live && context_.live().running();
-  live_button_->setChecked(live_);
-  if (live_ && active_) {
-    live_timer_.start();
-    show_live_status();
-  } else {
-    live_timer_.stop();
-  }
-  if (live_ != before) {
-    shown_figures_.clear();
-    show_figure();
-    show_live_figure();
-    show_state();
-  }
-}
-
-void SolveWorkspace::show_live_figure() {
-  if (!live_ || !active_) {
-    return;
-  }
-  const auto figure = context_.live().figure();
-  if (!figure || (!shown_figures_.empty() && shown_figures_.back().number >= figure->number)) {
-    return;
-  }
-  solve::PoseTimes times = figure->times;
-  times.taken = steady_now_s();
-  if (shown_figures_.size() == kFiguresUnderWay) {
-    shown_figures_.erase(shown_figures_.begin());
-  }
-  shown_figures_.push_back({figure->number, times});
-  viewer_->set_pose(figure->pose, static_cast<double>(figure->number));
-}
-
-void SolveWorkspace::note_live_frame(double steady_time_s, double tag) {
-  const auto shown = std::find_if(shown_figures_.begin(), shown_figures_.end(),
-                                  [tag](const ShownFigure& one) { return static_cast<double>(one.number) == tag; });
-  if (live_ && shown != shown_figures_.end() && shown->times.solved > 0.0) {
-    solve::PoseTimes times = shown->times;
-    times.drawn = steady_time_s;
-    context_.live().note_drawn(times);
-  }
-}
-
-void SolveWorkspace::show_live_status() {
-  const solve::LatencyReport report = context_.live().latency();
-  const auto& snapshot = context_.live().snapshot();
-  const QString& device = context_.live().device_title();
-  status_->set_text(report.poses == 0 ? tr("Live from %1").arg(device)
-                                      : tr("Live from %1: %2").arg(device, latency_line(report)));
-  status_->setToolTip(report.poses == 0 ? QString()
-                                        : latency_sentences(report, snapshot ? snapshot->device_latency_s : 0.0));
+  model_.set_shows_live(false);  // Other places speak of the take.
 }
 
 void SolveWorkspace::show_state() {
@@ -291,6 +250,7 @@ void SolveWorkspace::show_state() {
   const bool failed_again = state == SolveState::kFailed && model_.solve() && !live_;
   failure_bar_->setVisible(failed_again);
   calibrate_->setVisible(model_.settings().calibration != "nominal");
+  show_verdict();
   if (live_) {
     return;
   }
@@ -306,10 +266,39 @@ void SolveWorkspace::show_state() {
   } else if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
     const std::size_t frames = clip.joints.empty() ? 0 : clip.joints.front().rotation.times.size();
-    status_->set_text(tr("%1 of motion, %2 frames at %3 Hz, smoothing: %4")
-                          .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
-                               locale().toString(clip.frame_rate_hz, 'f', 2),
-                               smoothing_name(model_.solve()->settings.smoothing).toLower()));
+    const QString facts = tr("%1 of motion, %2 frames at %3 Hz, smoothing: %4")
+                              .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
+                                   locale().toString(clip.frame_rate_hz, 'f', 2),
+                                   smoothing_name(model_.solve()->settings.smoothing).toLower());
+    // The truth, where it is known, tells more than anything else.
+    const auto& evaluation = model_.evaluation();
+    const QString headline =
+        evaluation ? tr("Off the truth by %1.")
+                         .arg(error_text(evaluation->all.inclination_mean_deg, evaluation->all.inclination_max_deg))
+                   : overall_verdict(model_.solve()->report).text;
+    status_->set_text(tr("%1   %2").arg(headline, facts));
+  }
+}
+
+void SolveWorkspace::show_verdict() {
+  const bool judged = !live_ && model_.solve() && model_.state() == SolveState::kSolved;
+  verdict_->setVisible(judged);
+  if (judged) {
+    const auto& evaluation = model_.evaluation();
+    const Verdict verdict = overall_verdict(model_.solve()->report, evaluation ? &*evaluation : nullptr);
+    verdict_->setPixmap(
+        icon_pixmap(tone_icon(verdict.tone), tone_color(palette(), verdict.tone), kVerdictIcon, devicePixelRatioF()));
+    verdict_->setToolTip(QStringLiteral("%1 %2").arg(verdict.text, verdict.remedy).trimmed());
+    verdict_->setAccessibleName(verdict.text);
+  }
+  failure_icon_->setPixmap(
+      icon_pixmap(tone_icon(Tone::kWarning), tone_color(palette(), Tone::kWarning), kVerdictIcon, devicePixelRatioF()));
+}
+
+void SolveWorkspace::changeEvent(QEvent* event) {
+  Workspace::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && failure_icon_ != nullptr) {
+    show_verdict();
   }
 }
 
@@ -328,11 +317,19 @@ void SolveWorkspace::show_skeleton() {
 }
 
 void SolveWorkspace::show_figure() {
-  if (model_.solve()) {
-    const motion::Clip& clip = model_.solve()->clip;
-    viewer_->set_extent(motion_extent(clip, 60));
+  const bool take = !live_ && model_.solve();
+  if (live_) {
+    viewer_->set_extent(reach_extent(context_.live().settings().skeleton));
+  } else {
+    viewer_->set_extent(take ? motion_extent(model_.solve()->clip, kExtentInstants) : std::vector<Eigen::Vector3d>());
   }
   show_skeleton();
+  // The camera is placed once for each capture and each take; then it is the user's.
+  bool& framed = live_ ? framed_live_ : framed_take_;
+  if ((live_ || take) && !framed) {
+    framed = viewer_->isVisible();
+    viewer_->frame_all();
+  }
 }
 
 void SolveWorkspace::show_curves() {
@@ -341,7 +338,7 @@ void SolveWorkspace::show_curves() {
     curves_->set_curves(model_.curves(),
                         clip.joints.empty() ? std::vector<double>() : clip.joints.front().rotation.times);
   } else {
-    curves_->set_curves({}, {});
+    curves_->set_curves(nullptr, {});
   }
 }
 
@@ -373,17 +370,27 @@ QWidget* SolveWorkspace::create_inspector() {
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
   layout->setSpacing(kGrid);
   layout->addWidget(new BoneCard(context_, model_, content));
-  layout->addWidget(new SettingsCard(model_, content));
-  layout->addWidget(new QualityCard(model_, content));
-  layout->addWidget(new TruthCard(model_, content));
+  auto* of_take = new QWidget(content);
+  auto* cards = new QVBoxLayout(of_take);
+  cards->setContentsMargins(0, 0, 0, 0);
+  cards->setSpacing(kGrid);
+  cards->addWidget(new SettingsCard(model_, of_take));
+  cards->addWidget(new TruthCard(model_, of_take));
+  cards->addWidget(new QualityCard(model_, of_take));
+  layout->addWidget(of_take);
   layout->addStretch(1);
+  // Beside the live figure nothing is said about the take.
+  connect(&model_, &SolveModel::shows_live_changed, of_take,
+          [this, of_take] { of_take->setVisible(!model_.shows_live()); });
+  of_take->setVisible(!model_.shows_live());
   area->setWidget(content);
   return area;
 }
 
 void SolveWorkspace::reveal(const QString& topic) {
   if (topic == QLatin1String("latency")) {
-    set_live(true);
+    wish_ = true;
+    follow_live();
   } else if (topic.startsWith(QLatin1String("sensor:"))) {
     context_.selection().select(SelectionKind::kSensor, topic.mid(7).toInt());
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTimer>
+#include <optional>
 #include <vector>
 
 #include "viewer/viewer_widget.h"
@@ -35,6 +36,7 @@ class SolveWorkspace : public Workspace {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   QWidget* make_toolbar();
@@ -42,9 +44,11 @@ class SolveWorkspace : public Workspace {
   QWidget* make_failure_bar();
   void follow_context();
   void follow_live();
+  void follow_recording();
   void play_first_demo();
   void set_live(bool live);
   void show_state();
+  void show_verdict();
   void show_figure();
   void show_curves();
   void show_skeleton();
@@ -62,10 +66,11 @@ class SolveWorkspace : public Workspace {
   QPushButton* empty_button_ = nullptr;
   ViewerWidget* viewer_ = nullptr;
   CurvesPanel* curves_ = nullptr;
+  QLabel* verdict_ = nullptr;  ///< The tone of what `status_` says.
   ElidedLabel* status_ = nullptr;
   QPushButton* live_button_ = nullptr;
   QWidget* failure_bar_ = nullptr;  ///< Seen when solving again has failed.
-  QLabel* failure_ = nullptr;
+  QLabel *failure_ = nullptr, *failure_icon_ = nullptr;
   QPushButton *retry_ = nullptr, *calibrate_ = nullptr;
   QToolButton* ghost_ = nullptr;
   QTimer live_timer_;
@@ -76,6 +81,10 @@ class SolveWorkspace : public Workspace {
   static constexpr std::size_t kFiguresUnderWay = 8;  // more are never on their way to the screen
   std::vector<ShownFigure> shown_figures_;            // newest last
   bool live_ = false, active_ = false;
+  /// What the user asked for with the Live button, until another take or recording begins.
+  std::optional<bool> wish_;
+  bool recorded_ = false;  ///< A take is being recorded.
+  bool framed_live_ = false, framed_take_ = false;
   std::vector<body::SegmentPose> poses_;
 };
 
