@@ -52,20 +52,25 @@ body::RootMotion root_motion(RootMode mode) {
   return mode == RootMode::kFixed ? body::RootMotion::kJoint : body::RootMotion::kFree;
 }
 
-// Upper quantile of the normal distribution (Abramowitz & Stegun 26.2.23), good to 5e-4.
-double normal_quantile(double tail) {
-  const double t = std::sqrt(-2.0 * std::log(tail));
-  return t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1.0 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
+// Probability that χ² exceeds x: closed forms for up to three degrees of freedom.
+double chi_square_tail(int freedom, double x) {
+  const double one = std::erfc(std::sqrt(0.5 * x));
+  return freedom == 1   ? one
+         : freedom == 2 ? std::exp(-0.5 * x)
+                        : one + std::sqrt(2.0 * x / EIGEN_PI) * std::exp(-0.5 * x);
 }
 
 }  // namespace
 
-// Wilson and Hilferty's cube root.
 double chi_square_limit(int freedom, double probability) {
-  const double k = freedom;
-  const double z = normal_quantile(probability);
-  const double cube = 1.0 - 2.0 / (9.0 * k) + z * std::sqrt(2.0 / (9.0 * k));
-  return k * cube * cube * cube;
+  assert(freedom >= 1 && freedom <= 3 && probability > 0.0 && probability < 1.0);
+  double low = 0.0;
+  double high = 1000.0;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (chi_square_tail(freedom, middle) > probability ? low : high) = middle;
+  }
+  return high;
 }
 
 BodyFilter::BodyFilter(BodyModel model, const BodyFilterParameters& parameters)
@@ -355,6 +360,7 @@ MeasurementGroup& BodyFilter::group(int rows, int tag) {
   g.support.clear();
   g.H.clear();
   g.gate = gates_[rows];
+  g.softened = false;
   g.tag = tag;
   pending_rows_ += rows;
   return g;

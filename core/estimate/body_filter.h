@@ -35,12 +35,13 @@ struct BodyFilterParameters {
   bool use_gyroscopes = true, use_accelerometers = true, use_ranges = true;
 
   // Readings. White noise, then what scales with the reading, both of the default rig (signals.md §4).
-  double gyroscope_noise = 0.002;  ///< rad/s (Vlasic et al. 2007, §5.2).
-  double gyroscope_relative = 0.005;
-  double accelerometer_noise = 0.02;  ///< m/s² (§5.2).
-  double accelerometer_relative = 0.01;
-  double range_noise = 0.0025;   ///< m (§5.2), divided by the confidence.
-  double reading_delay_s = 0.0;  ///< By which inertial readings are late, s; poses are carried forward by it.
+  double gyroscope_noise = 0.002;        ///< rad/s (Vlasic et al. 2007, §5.2).
+  double gyroscope_relative = 0.02;      ///< Scale, and skin that does not turn with the bone.
+  double accelerometer_noise = 0.02;     ///< m/s² (§5.2).
+  double accelerometer_relative = 0.03;  ///< Scale, cross-axis, skin.
+  double range_noise = 0.0025;           ///< m (§5.2), divided by the confidence.
+  double range_model = 0.0043;           ///< m: skin that slides under boards and sources.
+  double reading_delay_s = 0.0;          ///< By which inertial readings are late, s; poses are carried forward by it.
 
   // Process: growth of θ̈ per √s, rad/s² (root translation: m/s²), and the time in which it forgets, s (0: never).
   double acceleration_walk = 60.0;
@@ -68,7 +69,7 @@ struct BodyFilterParameters {
   double root_reach = 0.0;  ///< How far a free root strays, m; 0: anywhere.
 
   double gate_probability = 1e-6;  ///< Of rejecting a good reading.
-  double limit_softness = 0.05;    ///< Of joint limits, rad; 0: not used.
+  double limit_softness = 0.1;     ///< Of joint limits, rad; 0: not used.
 };
 
 /// Why a reading was not used.

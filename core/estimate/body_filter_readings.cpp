@@ -56,7 +56,7 @@ void BodyFilter::count(const MeasurementGroup& g) {
       return;
   }
   count->nis_sum += g.nis / g.rows;
-  ++(g.accepted ? count->used : count->gated);
+  ++(g.accepted && (g.gate <= 0.0 || g.nis <= g.gate) ? count->used : count->gated);
 }
 
 // Eqs. (2) and (3) of the paper, with biases and the error of the mounting.
@@ -88,6 +88,7 @@ void BodyFilter::add_inertial(const InertialReading& reading) {
                         jacobians_);
   if (gyroscope && usable(reading.w_S, model_.gyroscope_range, gyroscope_counts_[b])) {
     MeasurementGroup& g = group(3, kGyroscopeTag | reading.board);
+    g.softened = true;
     const Vector3d w_S = R_SW * m.w;
     for (std::size_t c = 0; c < dofs.size(); ++c) {
       const auto column = static_cast<Eigen::Index>(c);
@@ -110,6 +111,7 @@ void BodyFilter::add_inertial(const InertialReading& reading) {
   }
   if (accelerometer && usable(reading.f_S, model_.accelerometer_range, accelerometer_counts_[b])) {
     MeasurementGroup& g = group(3, kAccelerometerTag | reading.board);
+    g.softened = true;
     const Vector3d f = point.a - kGravity;
     const Vector3d f_S = R_SW * f;
     for (std::size_t c = 0; c < dofs.size(); ++c) {
@@ -215,7 +217,7 @@ void BodyFilter::add_range(const RangeReading& reading) {
     put(layout_.sound_scale, distance);
   }
   g.innovation[0] = reading.range - scale * distance - state_.range_offset[s];
-  g.variance[0] = square(p.range_noise / std::min(reading.confidence, 1.0));
+  g.variance[0] = square(p.range_noise / std::min(reading.confidence, 1.0)) + square(p.range_model);
 }
 
 void BodyFilter::add_root(const RootReading& reading) {

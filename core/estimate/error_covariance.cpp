@@ -105,6 +105,10 @@ double ErrorCovariance::update(MeasurementGroup* first, MeasurementGroup* last, 
     const auto solved = own.llt().solve(nu).eval();
     g->nis = nu.dot(solved);
     g->accepted = std::isfinite(g->nis) && g->nis >= 0.0 && (g->gate <= 0.0 || g->nis <= g->gate);
+    if (!g->accepted && g->softened && std::isfinite(g->nis) && g->nis > 0.0) {
+      own *= std::sqrt(g->nis / g->gate);
+      g->accepted = true;
+    }
     if (!g->accepted) {
       continue;
     }

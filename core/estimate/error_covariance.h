@@ -41,7 +41,10 @@ struct MeasurementGroup {
   double innovation[3] = {0, 0, 0};
   double variance[3] = {0, 0, 0};
   double gate = 0.0;  ///< Largest normalised innovation squared νᵀ S⁻¹ ν; 0: no gate.
-  int tag = 0;        ///< The caller's.
+  /// Beyond the gate the group is not rejected but counts less (Huber): one that never errs grossly shall not be locked
+  /// out by a filter that is too sure of itself.
+  bool softened = false;
+  int tag = 0;  ///< The caller's.
   // Results:
   double nis = 0.0;
   bool accepted = false;

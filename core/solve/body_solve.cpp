@@ -90,9 +90,11 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
     p.root_reach = 0.15;
     p.acceleration_walk = 20000.0;
     p.root_acceleration_walk = 300.0;
-    p.gyroscope_noise = 0.005;
+    p.gyroscope_noise = p.gyroscope_relative = 0.005;
     p.gyroscope_bias = 0.01;
+    p.gyroscope_bias_walk = 2e-4;
     p.accelerometer_noise = 0.05;
+    p.accelerometer_relative = 0.01;
     p.accelerometer_bias_walk = 1e-4;
     p.gate_probability = 0.0;  // there is nothing that could contradict it
   }

@@ -281,6 +281,7 @@ BodyFilterParameters modelled_errors_only() {
   p.gyroscope_noise = 0.02;
   p.accelerometer_noise = 0.2;
   p.range_noise = 0.005;
+  p.range_model = 0.0;
   p.gyroscope_relative = p.accelerometer_relative = 0.0;
   // Small enough that products of two errors, which no extended Kalman filter models, stay below the noise.
   p.acceleration_walk = 2.0;
@@ -419,9 +420,10 @@ TEST(BodyFilter, OutliersAndMissingReadingsDoNotHarm) {
 }
 
 TEST(ChiSquare, HasTheTablesQuantiles) {
-  EXPECT_NEAR(chi_square_limit(1, 0.01), 6.635, 0.1);
-  EXPECT_NEAR(chi_square_limit(3, 0.01), 11.345, 0.1);
-  EXPECT_NEAR(chi_square_limit(3, 1e-4), 21.11, 0.4);
+  EXPECT_NEAR(chi_square_limit(1, 0.01), 6.6349, 1e-3);
+  EXPECT_NEAR(chi_square_limit(2, 0.05), 5.9915, 1e-3);
+  EXPECT_NEAR(chi_square_limit(3, 0.01), 11.3449, 1e-3);
+  EXPECT_NEAR(chi_square_limit(3, 1e-4), 21.1075, 1e-3);
 }
 
 }  // namespace
