@@ -18,10 +18,13 @@ data=${LIMBWAVE_DATA:-$(realpath -m ../shared/data)}
 failed=0
 for target in "${targets[@]}"; do
   # Small files of other programs too; large ones only make every try slow.
-  find "$data/files" tests/data/crashers -size -200k \( -name "*.$target" -o -name '*.glb' \) -exec cp -t "build/fuzz/corpus/$target" {} + 2>/dev/null || true
+  names=(-name "*.$target")
+  [[ $target == gltf ]] && names+=(-o -name '*.glb')
+  find "$data/files" tests/fuzz/corpus -size -200k \( "${names[@]}" \) -exec cp -t "build/fuzz/corpus/$target" {} + 2>/dev/null || true
   echo "== $target for $minutes minutes"
   # Memory: everything that a reader may take for a file of at most this size.
-  build/fuzz/tests/fuzz/fuzz_"$target" "build/fuzz/corpus/$target" -max_total_time=$((minutes * 60)) -max_len=262144 \
+  build/fuzz/tests/fuzz/fuzz_"$target" "build/fuzz/corpus/$target" -dict="tests/fuzz/$target.dict" \
+    -max_total_time=$((minutes * 60)) -max_len=262144 \
     -rss_limit_mb=2048 -timeout=20 -print_final_stats=1 -artifact_prefix="build/fuzz/findings/$target-" \
     >"build/fuzz/$target.log" 2>&1 || { tail -n 40 "build/fuzz/$target.log"; failed=1; continue; }
   grep -E 'number_of_executed_units|average_exec|new_units_added|peak_rss' "build/fuzz/$target.log"

@@ -126,13 +126,8 @@ void run(const Options& options, bool as_json, Console& console) {
       clips.back().meshes = {skin(clips.back(), options.mesh, console)};
     }
   }
-  std::vector<const motion::Clip*> pointers;
-  pointers.reserve(clips.size());
-  for (const motion::Clip& clip : clips) {
-    pointers.push_back(&clip);
-  }
   const interchange::ExportReport report = console.check(
-      interchange::export_file(pointers, options.output, read_options(options, console), console.progress()));
+      interchange::export_file(std::move(clips), options.output, read_options(options, console), console.progress()));
   if (as_json) {
     console.print_json({{"file", options.output},
                         {"bytes", report.bytes},

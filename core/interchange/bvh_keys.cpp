@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/units.h"
+#include "interchange/half_angles.h"
 
 namespace limbwave::interchange {
 namespace {
@@ -14,6 +14,16 @@ using Eigen::Vector3d;
 
 // Joints whose position channels move less than this, metres, are rigid: the rest is how files round.
 constexpr double kRigid = 1e-5;
+// Squares of lengths this near 1 are 1: products of unit quaternions need no root then.
+constexpr double kUnit = 1e-14;
+
+Quaterniond to_file_axes(const Quaterniond& R, UpAxis up) {
+  return up == UpAxis::kY ? to_y_up(R) : R;
+}
+
+Quaterniond unit(const Quaterniond& R) {
+  return std::abs(R.squaredNorm() - 1.0) < kUnit ? R : R.normalized();
+}
 
 }  // namespace
 
@@ -30,12 +40,16 @@ BvhKeys::BvhKeys(const std::vector<BvhJoint>& joints, const std::vector<Quaterni
     plan.L = R_WL_rest[i];
     plan.P_inverse = joints[i].parent < 0 ? Quaterniond::Identity()
                                           : R_WL_rest[static_cast<std::size_t>(joints[i].parent)].conjugate();
+    plan.before = to_file_axes(plan.P_inverse, up);
+    plan.after = to_file_axes(plan.L, up);
     for (std::size_t c = 0; c < plan.count; ++c) {
       (plan.channels[c] < BvhChannel::kXRotation ? plan.moves : plan.turns) = true;
     }
     first += plan.count;
   }
   channels_ = first;
+  sines_.resize(channels_);
+  cosines_.resize(channels_);
 }
 
 void BvhKeys::reserve(std::size_t frames) {
@@ -47,11 +61,11 @@ void BvhKeys::reserve(std::size_t frames) {
 }
 
 void BvhKeys::add(const std::vector<double>& values) {
+  half_angles(values, sines_, cosines_);
   for (std::size_t i = 0; i < plans_.size(); ++i) {
     Plan& plan = plans_[i];
     if (plan.turns) {
-      const Quaterniond R = to_world_axes(rotation(plan, values), up_);
-      plan.rotations.push_back((plan.P_inverse * R * plan.L).normalized());
+      plan.rotations.push_back(unit(to_world_axes(rotation(plan), up_)));
     }
     if (plan.moves) {
       const Vector3d p = position(plan, values);
@@ -115,15 +129,14 @@ void BvhKeys::finish(motion::Clip& clip, double frame_time, Diagnostics& diagnos
   }
 }
 
-Quaterniond BvhKeys::rotation(const Plan& plan, const std::vector<double>& values) {
-  Quaterniond R = Quaterniond::Identity();
+Quaterniond BvhKeys::rotation(const Plan& plan) const {
+  Quaterniond R = plan.before;
   for (std::size_t c = 0; c < plan.count; ++c) {
     if (plan.channels[c] < BvhChannel::kXRotation) {
       continue;
     }
-    const double half = 0.5 * radians(values[plan.first + c]);
-    const double cosine = std::cos(half);
-    const double sine = std::sin(half);
+    const double cosine = cosines_[plan.first + c];
+    const double sine = sines_[plan.first + c];
     // R times the rotation about one axis, without the products that are zero.
     if (plan.channels[c] == BvhChannel::kXRotation) {
       R = {R.w() * cosine - R.x() * sine, R.x() * cosine + R.w() * sine, R.y() * cosine + R.z() * sine,
@@ -136,7 +149,7 @@ Quaterniond BvhKeys::rotation(const Plan& plan, const std::vector<double>& value
            R.z() * cosine + R.w() * sine};
     }
   }
-  return R;
+  return R * plan.after;
 }
 
 Vector3d BvhKeys::position(const Plan& plan, const std::vector<double>& values) {

@@ -45,6 +45,9 @@ class BvhKeys {
     Eigen::Vector3d offset{0, 0, 0};
     Eigen::Quaterniond P_inverse = Eigen::Quaterniond::Identity();  // the parent's frame at rest, inverted
     Eigen::Quaterniond L = Eigen::Quaterniond::Identity();          // the own frame at rest
+    // Both in the file's axes: what stands before and after its rotation.
+    Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
+    Eigen::Quaterniond after = Eigen::Quaterniond::Identity();
     std::vector<Eigen::Quaterniond> rotations;
     std::vector<Eigen::Vector3d> positions;  // as the file has them; of all joints but the root
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -52,7 +55,8 @@ class BvhKeys {
     Eigen::Vector3d highest = Eigen::Vector3d::Constant(-INFINITY);
   };
 
-  static Eigen::Quaterniond rotation(const Plan& plan, const std::vector<double>& values);
+  // Its rotation in the parent's frame L, in the file's axes.
+  [[nodiscard]] Eigen::Quaterniond rotation(const Plan& plan) const;
   static Eigen::Vector3d position(const Plan& plan, const std::vector<double>& values);
 
   UpAxis up_;
@@ -60,6 +64,8 @@ class BvhKeys {
   std::vector<Plan> plans_;
   std::size_t channels_ = 0;
   std::size_t frames_ = 0;
+  std::vector<double> sines_;  // of half of every value of a frame, in degrees
+  std::vector<double> cosines_;
   std::vector<Eigen::Vector3d> root_;
 };
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "base/files.h"
+#include "base/atomic_file.h"
+#include "base/byte_sink.h"
 #include "base/units.h"
 #include "interchange/euler.h"
 #include "interchange/file_axes.h"
@@ -25,17 +26,20 @@ constexpr int kCentimetreDigits = 6;
 constexpr int kMetreDigits = 8;
 // Cancelling is asked for once in so many frames.
 constexpr std::size_t kFramesPerReport = 1024;
+// What is written at once: long clips are more text than should lie in memory.
+constexpr std::size_t kPiece = std::size_t{1} << 20;
 
 class BvhText {
  public:
-  BvhText(const motion::Clip& clip, const BvhWriteOptions& options)
+  BvhText(const motion::Clip& clip, const BvhWriteOptions& options, ByteSink& sink)
       : clip_(clip),
         segments_(clip.skeleton.segments),
         fps_(options.fps > 0.0 ? options.fps : clip.frame_rate_hz),
         unit_(options.unit == BvhUnit::kCentimetres ? 100.0 : 1.0),
         digits_(options.unit == BvhUnit::kCentimetres ? kCentimetreDigits : kMetreDigits),
         order_(options.order == BvhRotationOrder::kZXY ? kZXY : kZYX),
-        children_(segments_.size()) {
+        children_(segments_.size()),
+        sink_(sink) {
     for (const body::SegmentPose& pose : motion::rest_poses(clip.skeleton)) {
       R_WL_rest_.push_back(pose.R_WL);
     }
@@ -115,11 +119,15 @@ class BvhText {
         }
       }
       text_ += '\n';
+      if (text_.size() >= kPiece) {
+        sink_.append(text_);
+        text_.clear();
+      }
     }
+    sink_.append(text_);
+    text_.clear();
     return {};
   }
-
-  std::string take() { return std::move(text_); }
 
  private:
   [[nodiscard]] bool slides(std::size_t joint) const {
@@ -194,12 +202,11 @@ class BvhText {
   std::vector<Quaterniond> R_WL_rest_;
   std::vector<std::string> names_;
   std::vector<std::size_t> order_written_;
+  ByteSink& sink_;
   std::string text_;
 };
 
-}  // namespace
-
-Result<std::string> bvh_text(const motion::Clip& clip, const BvhWriteOptions& options, const Progress& progress) {
+Status put_text(const motion::Clip& clip, const BvhWriteOptions& options, const Progress& progress, ByteSink& sink) {
   if (clip.skeleton.segments.empty()) {
     return Error{"the clip has no skeleton", clip.name, "solve the take first"};
   }
@@ -211,18 +218,28 @@ Result<std::string> bvh_text(const motion::Clip& clip, const BvhWriteOptions& op
     return Error{fmt::format("{:.0f} s at {} frames per second are too many frames", clip.duration(), fps), clip.name,
                  "write fewer frames per second or a part of it"};
   }
-  BvhText writer(clip, options);
+  BvhText writer(clip, options, sink);
   writer.hierarchy();
-  if (Status status = writer.frames(progress); !status) {
+  return writer.frames(progress);
+}
+
+}  // namespace
+
+Result<std::string> bvh_text(const motion::Clip& clip, const BvhWriteOptions& options, const Progress& progress) {
+  MemorySink sink;
+  if (Status status = put_text(clip, options, progress, sink); !status) {
     return status.error();
   }
-  return writer.take();
+  return sink.take();
 }
 
 Status write_bvh(const motion::Clip& clip, const std::filesystem::path& path, const BvhWriteOptions& options,
                  const Progress& progress) {
-  const Result<std::string> text = bvh_text(clip, options, progress);
-  return text ? write_file(path, *text) : Status(text.error());
+  AtomicFile file(path);
+  if (Status status = put_text(clip, options, progress, file); !status) {
+    return status;
+  }
+  return file.commit();
 }
 
 }  // namespace limbwave::interchange

@@ -11,7 +11,8 @@ namespace {
 constexpr double kLatestTime = 1e8;
 
 bool is_pose(const Eigen::Quaterniond& R) {
-  return R.coeffs().allFinite() && R.norm() > 0.5 && R.norm() < 2.0;
+  const double length2 = R.squaredNorm();  // neither NaN nor infinity lies in between
+  return length2 > 0.25 && length2 < 4.0;
 }
 bool is_pose(const Eigen::Vector3d& p) {
   return p.allFinite();

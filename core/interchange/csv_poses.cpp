@@ -5,7 +5,8 @@
 #include <iterator>
 #include <vector>
 
-#include "base/files.h"
+#include "base/atomic_file.h"
+#include "base/byte_sink.h"
 #include "interchange/frame_rate.h"
 #include "interchange/names.h"
 
@@ -25,9 +26,10 @@ std::string quoted(const std::string& name) {
   return '"' + text + '"';
 }
 
-}  // namespace
+// What is written at once: long clips are more text than should lie in memory.
+constexpr std::size_t kPiece = std::size_t{1} << 20;
 
-Result<std::string> csv_poses_text(const motion::Clip& clip, const CsvPosesOptions& options, const Progress& progress) {
+Status put_rows(const motion::Clip& clip, const CsvPosesOptions& options, const Progress& progress, ByteSink& sink) {
   const double fps = options.fps > 0.0 ? options.fps : clip.frame_rate_hz;
   if (!(fps > 0.0 && fps <= kHighestFrameRate)) {
     return Error{fmt::format("{} is not a frame rate", fps), clip.name, "give the frames per second, for example 60"};
@@ -44,7 +46,6 @@ Result<std::string> csv_poses_text(const motion::Clip& clip, const CsvPosesOptio
   std::vector<Eigen::Quaterniond> previous(names.size(), Eigen::Quaterniond::Identity());
   std::vector<body::SegmentPose> poses;
   const std::size_t frames = motion::frame_count(clip.duration(), fps);
-  text.reserve(text.size() + frames * names.size() * 96);
   for (std::size_t frame = 0; frame < frames; ++frame) {
     if (frame % kFramesPerReport == 0 &&
         !progress.report(static_cast<double>(frame) / static_cast<double>(frames), "writing")) {
@@ -67,17 +68,32 @@ Result<std::string> csv_poses_text(const motion::Clip& clip, const CsvPosesOptio
       fmt::format_to(std::back_inserter(text), "{:.6f},{},{:.9f},{:.9f},{:.9f},{:.9f},{:.6f},{:.6f},{:.6f}\n", time,
                      names[i], q.w(), q.x(), q.y(), q.z(), p.x(), p.y(), p.z());
     }
+    if (text.size() >= kPiece) {
+      sink.append(text);
+      text.clear();
+    }
   }
-  return text;
+  sink.append(text);
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> csv_poses_text(const motion::Clip& clip, const CsvPosesOptions& options, const Progress& progress) {
+  MemorySink sink;
+  if (Status status = put_rows(clip, options, progress, sink); !status) {
+    return status.error();
+  }
+  return sink.take();
 }
 
 Status write_csv_poses(const motion::Clip& clip, const std::filesystem::path& path, const CsvPosesOptions& options,
                        const Progress& progress) {
-  const Result<std::string> text = csv_poses_text(clip, options, progress);
-  if (!text) {
-    return text.error();
+  AtomicFile file(path);
+  if (Status status = put_rows(clip, options, progress, file); !status) {
+    return status;
   }
-  return write_file(path, *text);
+  return file.commit();
 }
 
 }  // namespace limbwave::interchange

@@ -172,8 +172,12 @@ Result<ReadBack> check(const std::vector<Clip>& meant, FileFormat format, const 
   if (format == FileFormat::kBvh) {
     BvhReadOptions options;
     options.metres_per_unit = preset.unit == FileUnit::kMetres ? 1.0 : kMetresPerCentimetre;
-    const Result<Clip> clip = load_bvh(path, options);
-    read = clip ? Result(std::vector<Clip>{*clip}) : Result<std::vector<Clip>>(clip.error());
+    Result<Clip> clip = load_bvh(path, options);
+    if (clip) {
+      read->push_back(*std::move(clip));
+    } else {
+      read = clip.error();
+    }
   } else {
     read = format == FileFormat::kFbx ? load_fbx(path) : load_gltf(path);
   }
@@ -183,6 +187,38 @@ Result<ReadBack> check(const std::vector<Clip>& meant, FileFormat format, const 
   }
   const bool single = format != FileFormat::kFbx && format != FileFormat::kBvh;
   return compare_clips(meant, *read, single, kExportTolerance, path.string(), progress.part(0.5, 1.0));
+}
+
+// The file is made and checked beside `path` and appears there when all is right.
+Result<ExportReport> write_checked(const std::vector<Clip>& meant, FileFormat format, const fs::path& path,
+                                   const ExportOptions& options, ExportReport report, const Progress& progress) {
+  const Preset preset = adapted(options, format);
+  const fs::path part = part_path(path);
+  const auto give_up = [&](Error error) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    if (error.place == part.string()) {
+      error.place = path.string();
+    }
+    return error;
+  };
+  if (const Status written = write(meant, format, preset, part, progress.part(0.2, 0.6)); !written) {
+    return give_up(written.error());
+  }
+  const Result<ReadBack> same = check(meant, format, preset, part, progress.part(0.6, 1.0));
+  if (!same) {
+    return give_up(same.error());
+  }
+  std::error_code error;
+  fs::rename(part, path, error);
+  if (error) {
+    return give_up({"cannot be written (" + error.message() + ")", path.string(), "choose another file"});
+  }
+  report.file = path;
+  report.bytes = fs::file_size(path, error);
+  report.worst_m = same->worst_m;
+  report.worst_joint = same->worst_joint;
+  return report;
 }
 
 }  // namespace
@@ -280,36 +316,26 @@ Result<ExportReport> export_file(std::span<const Clip* const> clips, const fs::p
   }
   ExportReport report;
   const Result<std::vector<Clip>> meant = prepared(clips, *format, options, report, progress.part(0.0, 0.2));
-  if (!meant) {
-    return meant.error();
+  return meant ? write_checked(*meant, *format, path, options, report, progress) : meant.error();
+}
+
+Result<ExportReport> export_file(std::vector<Clip>&& clips, const fs::path& path, const ExportOptions& options,
+                                 const Progress& progress) {
+  const Result<FileFormat> format = format_of(path);
+  if (!format) {
+    return format.error();
   }
-  const Preset preset = adapted(options, *format);
-  const fs::path part = part_path(path);
-  const auto give_up = [&](Error error) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    if (error.place == part.string()) {
-      error.place = path.string();
-    }
-    return error;
-  };
-  if (const Status written = write(*meant, *format, preset, part, progress.part(0.2, 0.6)); !written) {
-    return give_up(written.error());
+  std::vector<Clip> sources = std::move(clips);
+  std::vector<const Clip*> pointers;
+  pointers.reserve(sources.size());
+  for (const Clip& clip : sources) {
+    pointers.push_back(&clip);
   }
-  const Result<ReadBack> same = check(*meant, *format, preset, part, progress.part(0.6, 1.0));
-  if (!same) {
-    return give_up(same.error());
-  }
-  std::error_code error;
-  fs::rename(part, path, error);
-  if (error) {
-    return give_up({"cannot be written (" + error.message() + ")", path.string(), "choose another file"});
-  }
-  report.file = path;
-  report.bytes = fs::file_size(path, error);
-  report.worst_m = same->worst_m;
-  report.worst_joint = same->worst_joint;
-  return report;
+  ExportReport report;
+  const Result<std::vector<Clip>> meant = prepared(pointers, *format, options, report, progress.part(0.0, 0.2));
+  sources.clear();
+  sources.shrink_to_fit();
+  return meant ? write_checked(*meant, *format, path, options, report, progress) : meant.error();
 }
 
 }  // namespace limbwave::interchange

@@ -17,8 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Keys of all nodes and animations together: a person of 25 joints for an hour and a half at 120 Hz.
-constexpr std::size_t kMostKeys = 20'000'000;
+// Keys of all nodes and animations together: a person of 25 joints for an hour and a half at 120 Hz, and more in files
+// so large that they hold them: this many bytes a key.
+constexpr std::size_t kFewKeys = 20'000'000;
+constexpr std::size_t kBytesPerKey = 8;
 // Of them, keys that are put between the file's own: a few bytes can ask for very many.
 constexpr std::size_t kMostAddedKeys = 3'000'000;
 // Nodes, and nodes times animations.
@@ -46,7 +48,11 @@ struct Moving {
 class PlainWriter {
  public:
   PlainWriter(FbxRecords& records, const FbxScene& scene)
-      : records_(records), scene_(scene), out_(sink_), file_(out_) {}
+      : records_(records),
+        scene_(scene),
+        most_keys_(kFewKeys + records.size() / kBytesPerKey),
+        out_(sink_),
+        file_(out_) {}
 
   Result<FbxPlain> write() {
     if (scene_.models.size() > kMostModels || scene_.skins.size() > kMostSkins ||
@@ -252,7 +258,7 @@ class PlainWriter {
     const double frame = kFbxTicksPerSecond / scene_.fps;
     for (std::size_t i = 0; i < own.size(); ++i) {
       const std::int64_t from = own[i];
-      if (++keys_ > kMostKeys) {
+      if (++keys_ > most_keys_) {
         return false;
       }
       keys.times.push_back(from);
@@ -268,7 +274,7 @@ class PlainWriter {
       for (double at = std::floor(static_cast<double>(from) / frame + 1e-3) + 1.0;
            at * frame < static_cast<double>(own[i + 1]) - 1e-3 * frame; at += 1.0) {
         const std::int64_t tick = std::llround(at * frame);
-        if (++keys_ > kMostKeys || ++added_ > kMostAddedKeys) {
+        if (++keys_ > most_keys_ || ++added_ > kMostAddedKeys) {
           return false;
         }
         if (tick > keys.times.back()) {
@@ -322,6 +328,7 @@ class PlainWriter {
 
   FbxRecords& records_;
   const FbxScene& scene_;
+  std::size_t most_keys_;
   MemorySink sink_;
   FbxRecordWriter out_;
   FbxSceneWriter file_;

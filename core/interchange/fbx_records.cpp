@@ -249,6 +249,7 @@ const FbxValue& FbxRecord::value(std::size_t index) const {
 Result<FbxRecords> FbxRecords::parse(std::string_view bytes, const std::string& place) {
   FbxRecords records;
   records.place_ = place;
+  records.size_ = bytes.size();
   records.most_unpacked_ = kMostBytes + kMostTimes * bytes.size();
   if (Status status = FbxParser(bytes, records).parse(); !status) {
     return status.error();

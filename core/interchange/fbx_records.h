@@ -46,6 +46,8 @@ class FbxRecords {
 
   [[nodiscard]] const FbxRecord& root() const { return root_; }
   [[nodiscard]] std::uint32_t version() const { return version_; }
+  /// Bytes of the file.
+  [[nodiscard]] std::size_t size() const { return size_; }
 
   /// The numbers of the array that is a record's first property; `what` names it in errors. Fails when it is none, its
   /// compressed bytes are broken or are not as many numbers as they say, or all arrays together are absurdly large.
@@ -62,6 +64,7 @@ class FbxRecords {
   std::string place_;
   FbxRecord root_;
   std::uint32_t version_ = 0;
+  std::size_t size_ = 0;
   std::uint64_t unpacked_ = 0;  ///< Bytes of arrays so far.
   std::uint64_t most_unpacked_ = 0;
 };

@@ -141,16 +141,34 @@ void put(std::vector<float>& values, const Vector3d& v) {
   }
 }
 
+template <typename T>
+const char* plain(const motion::Track<T>& track) {
+  if (!track.key_interpolation.empty() && is_mixed(track.key_interpolation)) {
+    return nullptr;
+  }
+  const Interpolation way = track.key_interpolation.empty() ? track.interpolation : track.key_interpolation.front();
+  if (way == Interpolation::kCubic && track.times.size() > 1) {
+    return nullptr;
+  }
+  return way == Interpolation::kStep ? "STEP" : "LINEAR";
+}
+
 }  // namespace
+
+const char* gltf_plain(const motion::RotationTrack& track) {
+  return plain(track);
+}
+const char* gltf_plain(const motion::PositionTrack& track) {
+  return plain(track);
+}
 
 GltfCurve gltf_curve(const motion::RotationTrack& track, double fps) {
   if (!track.key_interpolation.empty() && is_mixed(track.key_interpolation)) {
     const motion::RotationTrack dense = baked(track, fps);
     return {dense.times, gltf_rotations(dense.values), "LINEAR"};
   }
-  const Interpolation way = track.key_interpolation.empty() ? track.interpolation : track.key_interpolation.front();
-  if (way != Interpolation::kCubic || track.times.size() < 2) {
-    return {track.times, gltf_rotations(track.values), way == Interpolation::kStep ? "STEP" : "LINEAR"};
+  if (const char* way = plain(track); way != nullptr) {
+    return {track.times, gltf_rotations(track.values), way};
   }
   GltfCurve curve;
   curve.interpolation = "CUBICSPLINE";
@@ -174,9 +192,8 @@ GltfCurve gltf_curve(const motion::PositionTrack& track, double fps) {
     const motion::PositionTrack dense = baked(track, fps);
     return {dense.times, gltf_positions(dense.values), "LINEAR"};
   }
-  const Interpolation way = track.key_interpolation.empty() ? track.interpolation : track.key_interpolation.front();
-  if (way != Interpolation::kCubic || track.times.size() < 2) {
-    return {track.times, gltf_positions(track.values), way == Interpolation::kStep ? "STEP" : "LINEAR"};
+  if (const char* way = plain(track); way != nullptr) {
+    return {track.times, gltf_positions(track.values), way};
   }
   const motion::PositionTrack curves = motion::with_velocities(track);
   GltfCurve curve{curves.times, {}, "CUBICSPLINE"};

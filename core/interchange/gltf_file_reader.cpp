@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "base/files.h"
@@ -25,6 +26,10 @@ using motion::Interpolation;
 constexpr double kSamePlace = 1e-6;
 constexpr double kLongestClip = 1e6;
 constexpr double kDefaultRate = 60.0;
+constexpr std::size_t kMostClips = 1000;
+// Keys of all clips together, beside one for each byte of the file: channels may share their numbers, and a few bytes
+// would ask for very many.
+constexpr std::size_t kMostKeys = 10'000'000;
 
 // Keys of one channel in the file's axes.
 struct Channel {
@@ -35,8 +40,8 @@ struct Channel {
 
 class AnimationReader {
  public:
-  AnimationReader(const tinygltf::Model& model, const std::string& place, Diagnostics& diagnostics)
-      : model_(model), place_(place), diagnostics_(diagnostics) {}
+  AnimationReader(const tinygltf::Model& model, const std::string& place, Diagnostics& diagnostics, std::size_t keys)
+      : model_(model), place_(place), diagnostics_(diagnostics), keys_left_(keys) {}
 
   // The keys of one animation that belong to the tree, put into the clip.
   Status read(std::size_t number, const GltfTree& tree, motion::Clip& clip) {
@@ -45,6 +50,7 @@ class AnimationReader {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
       segment_of[tree.nodes[i]] = i;
     }
+    std::set<std::pair<int, bool>> moved;
     for (std::size_t c = 0; c < animation.channels.size(); ++c) {
       const tinygltf::AnimationChannel& entry = animation.channels[c];
       const auto segment = segment_of.find(entry.target_node);
@@ -57,6 +63,9 @@ class AnimationReader {
         continue;
       }
       where_ = fmt::format("/animations/{}/channels/{}", number, c);
+      if (!moved.emplace(entry.target_node, turns).second) {
+        return broken(fmt::format("node {} gets its {} from two channels", entry.target_node, entry.target_path));
+      }
       const Result<Channel> channel = keys(animation, entry, turns);
       if (!channel) {
         return channel.error();
@@ -89,6 +98,10 @@ class AnimationReader {
     if (!times || !values || values->count() != times->count() * (is_cubic ? 3 : 1)) {
       return broken("its keys are not whole");
     }
+    if (times->count() > keys_left_) {
+      return broken("it has more keys than can be read");
+    }
+    keys_left_ -= times->count();
     Channel channel;
     channel.interpolation = is_cubic                          ? Interpolation::kCubic
                             : sampler.interpolation == "STEP" ? Interpolation::kStep
@@ -115,7 +128,7 @@ class AnimationReader {
   }
 
   static void rotation(const Channel& channel, const GltfTree& tree, std::size_t segment, motion::Clip& clip) {
-    motion::RotationTrack& track = clip.joints[segment].rotation;
+    motion::RotationTrack track;
     track.times = channel.times;
     track.interpolation = channel.interpolation;
     for (std::size_t i = 0; i < channel.values.size(); ++i) {
@@ -131,6 +144,7 @@ class AnimationReader {
         track.leaving.push_back(velocity(channel.leaving[i]));
       }
     }
+    clip.joints[segment].rotation = std::move(track);
   }
 
   static void position(const Channel& channel, const GltfTree& tree, std::size_t segment, motion::Clip& clip) {
@@ -160,6 +174,7 @@ class AnimationReader {
   const tinygltf::Model& model_;
   const std::string& place_;
   Diagnostics& diagnostics_;
+  std::size_t keys_left_;
   std::string where_;
   std::vector<std::string> unread_;
 };
@@ -214,8 +229,12 @@ Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::s
   if (trees->empty()) {
     return Error{"has no skeleton", place, "export it with its armature"};
   }
+  if (trees->size() * std::max<std::size_t>(model->animations.size(), 1) > kMostClips) {
+    return Error{fmt::format("has {} skeletons and {} animations", trees->size(), model->animations.size()), place,
+                 "export only what is to be animated"};
+  }
   std::vector<motion::Clip> clips;
-  AnimationReader animations(*model, place, findings);
+  AnimationReader animations(*model, place, findings, kMostKeys + bytes.size());
   for (const GltfTree& tree : *trees) {
     motion::Clip at_rest;
     at_rest.skeleton = tree.skeleton;

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
+#include <list>
 
-#include "base/files.h"
+#include "base/atomic_file.h"
 #include "interchange/bone_map.h"
 #include "interchange/clip_check.h"
 #include "interchange/file_axes.h"
@@ -23,7 +22,6 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr std::size_t kLargestFile = std::numeric_limits<std::uint32_t>::max() - (std::size_t{1} << 24);
 // A calm grey that is seen on light and dark floors.
 const std::vector<double> kSkinColour{0.55, 0.57, 0.60, 1.0};
 
@@ -94,19 +92,14 @@ class SceneWriter {
     }
   }
 
+  // Long tracks are written from the clip itself, which must stay as it is until `finish`.
   void add_tracks(const motion::Clip& clip) {
     for (std::size_t i = 0; i < clip.joints.size(); ++i) {
       const int node = first_ + static_cast<int>(i);
-      if (!clip.joints[i].rotation.empty()) {
-        channel(gltf_curve(clip.joints[i].rotation, clip.frame_rate_hz), node, "rotation", TINYGLTF_TYPE_VEC4);
-      }
-      if (!clip.joints[i].position.empty()) {
-        channel(gltf_curve(clip.joints[i].position, clip.frame_rate_hz), node, "translation", TINYGLTF_TYPE_VEC3);
-      }
+      channel(clip.joints[i].rotation, clip.frame_rate_hz, node, "rotation", TINYGLTF_TYPE_VEC4);
+      channel(clip.joints[i].position, clip.frame_rate_hz, node, "translation", TINYGLTF_TYPE_VEC3);
     }
-    if (!clip.root_position.empty()) {
-      channel(gltf_curve(clip.root_position, clip.frame_rate_hz), first_, "translation", TINYGLTF_TYPE_VEC3);
-    }
+    channel(clip.root_position, clip.frame_rate_hz, first_, "translation", TINYGLTF_TYPE_VEC3);
   }
 
   void add_vrm(const motion::Clip& clip) {
@@ -132,7 +125,7 @@ class SceneWriter {
     model_.extensionsUsed.push_back("VRMC_vrm");
   }
 
-  Status finish(const motion::Clip& first, const std::filesystem::path& path) {
+  Status finish(const motion::Clip& first, const std::filesystem::path& path, const Progress& progress) {
     model_.scenes[0].name = to_utf8(first.name.empty() ? "clip" : first.name);
     animation_.name = model_.scenes[0].name;
     if (!animation_.channels.empty()) {
@@ -141,19 +134,12 @@ class SceneWriter {
     // glTF knows no frames; ours are read again.
     model_.asset.extras =
         tinygltf::Value(tinygltf::Value::Object{{"frame_rate_hz", tinygltf::Value(first.frame_rate_hz)}});
-    if (buffer_.size() > kLargestFile) {
-      return Error{"does not fit into a glTF file (4 GB)", path.string(),
-                   "export a part of it or fewer frames a second"};
+    AtomicFile file(path);
+    if (Status status = write_gltf_file(model_, buffer_, extension_of(path) != ".gltf", file, path.string(), progress);
+        !status) {
+      return status;
     }
-    if (buffer_.size() == 0) {
-      model_.buffers.clear();
-    }
-    std::ostringstream stream;
-    tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToStream(&model_, stream, false, extension_of(path) != ".gltf")) {
-      return Error{"cannot be written as glTF", path.string(), "export again"};
-    }
-    return write_file(path, std::move(stream).str());
+    return file.commit();
   }
 
  private:
@@ -233,15 +219,23 @@ class SceneWriter {
     return static_cast<int>(model_.meshes.size()) - 1;
   }
 
-  void channel(const GltfCurve& curve, int node, const char* path, int type) {
-    if (times_accessor_ < 0 || curve.times != times_) {
-      times_ = curve.times;
-      times_accessor_ = buffer_.add_floats(gltf_times(times_), TINYGLTF_TYPE_SCALAR, 0, true);
+  template <typename T>
+  void channel(const motion::Track<T>& track, double fps, int node, const char* path, int type) {
+    if (track.empty()) {
+      return;
     }
     tinygltf::AnimationSampler sampler;
-    sampler.input = times_accessor_;
-    sampler.output = buffer_.add_floats(curve.values, type);
-    sampler.interpolation = curve.interpolation;
+    if (const char* way = gltf_plain(track); way != nullptr) {
+      sampler.input = times(track.times);
+      sampler.output = buffer_.add_keys(track.values);
+      sampler.interpolation = way;
+    } else {
+      GltfCurve curve = gltf_curve(track, fps);
+      curves_.push_back(std::move(curve.times));
+      sampler.input = times(curves_.back());
+      sampler.output = buffer_.add_floats(curve.values, type);
+      sampler.interpolation = curve.interpolation;
+    }
     animation_.samplers.push_back(std::move(sampler));
     tinygltf::AnimationChannel entry;
     entry.sampler = static_cast<int>(animation_.samplers.size()) - 1;
@@ -250,13 +244,23 @@ class SceneWriter {
     animation_.channels.push_back(std::move(entry));
   }
 
+  // Most tracks have the same key times as the one before: once is enough. `seconds` must stay.
+  int times(const std::vector<double>& seconds) {
+    if (times_ == nullptr || *times_ != seconds) {
+      times_ = &seconds;
+      times_accessor_ = buffer_.add_floats(gltf_times(seconds), TINYGLTF_TYPE_SCALAR, 0, true);
+    }
+    return times_accessor_;
+  }
+
   tinygltf::Model model_;
   GltfBuffer buffer_;
   UniqueNames unique_;
   tinygltf::Animation animation_;
-  int first_ = 0;   // node of the present clip's root
-  int above_ = -1;  // what it hangs on; -1: nothing
-  std::vector<double> times_;
+  int first_ = 0;                          // node of the present clip's root
+  int above_ = -1;                         // what it hangs on; -1: nothing
+  std::list<std::vector<double>> curves_;  // key times of curves that were made
+  const std::vector<double>* times_ = nullptr;
   int times_accessor_ = -1;
 };
 
@@ -269,7 +273,7 @@ Status write_gltf(std::span<const motion::Clip* const> clips, const std::filesys
   }
   SceneWriter writer;
   for (std::size_t i = 0; i < clips.size(); ++i) {
-    if (!progress.report(static_cast<double>(i) / static_cast<double>(clips.size()), "writing")) {
+    if (!progress.report(0.0, "writing")) {
       return cancelled();
     }
     if (clips.size() > 1) {
@@ -282,10 +286,7 @@ Status write_gltf(std::span<const motion::Clip* const> clips, const std::filesys
       writer.add_vrm(*clips[i]);
     }
   }
-  if (!progress.report(1.0, "writing")) {
-    return cancelled();
-  }
-  return writer.finish(*clips.front(), path);
+  return writer.finish(*clips.front(), path, progress);
 }
 
 }  // namespace limbwave::interchange

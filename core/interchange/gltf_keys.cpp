@@ -6,6 +6,12 @@
 #include "interchange/file_axes.h"
 
 namespace limbwave::interchange {
+namespace {
+
+// Squares of lengths this near 1 are 1: far less than a float's last bit.
+constexpr double kUnit = 1e-12;
+
+}  // namespace
 
 std::vector<float> gltf_times(const std::vector<double>& times) {
   std::vector<float> values;
@@ -21,32 +27,39 @@ std::vector<float> gltf_times(const std::vector<double>& times) {
 }
 
 std::vector<float> gltf_rotations(const std::vector<Eigen::Quaterniond>& rotations) {
-  std::vector<float> values;
-  values.reserve(rotations.size() * 4);
-  Eigen::Quaterniond previous = Eigen::Quaterniond::Identity();
-  for (const Eigen::Quaterniond& R : rotations) {
-    Eigen::Quaterniond q = to_y_up(R.normalized());
-    if (q.dot(previous) < 0.0) {
-      q.coeffs() *= -1.0;
-    }
-    previous = q;
-    for (const double component : {q.x(), q.y(), q.z(), q.w()}) {
-      values.push_back(static_cast<float>(component));
-    }
-  }
+  std::vector<float> values(rotations.size() * 4);
+  GltfRotations()(rotations, values.data());
   return values;
 }
 
-std::vector<float> gltf_positions(const std::vector<Eigen::Vector3d>& positions) {
-  std::vector<float> values;
-  values.reserve(positions.size() * 3);
-  for (const Eigen::Vector3d& p_W : positions) {
-    const Eigen::Vector3d p = to_y_up(p_W);
-    for (const double component : {p.x(), p.y(), p.z()}) {
-      values.push_back(static_cast<float>(component));
+void GltfRotations::operator()(std::span<const Eigen::Quaterniond> rotations, float* values) {
+  Eigen::Vector4d previous = previous_;
+  for (const Eigen::Quaterniond& R : rotations) {
+    // Most are of length 1 already: roots and divisions would be half of the time.
+    const double length2 = R.squaredNorm();
+    const Eigen::Quaterniond unit = std::abs(length2 - 1.0) < kUnit ? R : R.normalized();
+    Eigen::Vector4d q = to_y_up(unit).coeffs();
+    if (q.dot(previous) < 0.0) {
+      q = -q;
     }
+    previous = q;
+    Eigen::Vector4f::Map(values) = q.cast<float>();
+    values += 4;
   }
+  previous_ = previous;
+}
+
+std::vector<float> gltf_positions(const std::vector<Eigen::Vector3d>& positions) {
+  std::vector<float> values(positions.size() * 3);
+  gltf_positions(positions, values.data());
   return values;
+}
+
+void gltf_positions(std::span<const Eigen::Vector3d> positions, float* values) {
+  for (const Eigen::Vector3d& p : positions) {
+    Eigen::Vector3f::Map(values) = to_y_up(p).cast<float>();
+    values += 3;
+  }
 }
 
 std::vector<Eigen::Quaterniond> rotations_from_gltf(const std::vector<float>& values) {

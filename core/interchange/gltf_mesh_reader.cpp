@@ -18,12 +18,19 @@ using Eigen::Vector3d;
 using motion::kInfluences;
 using motion::SkinnedMesh;
 
+// Vertices and corners of all meshes together, beside one for each byte of the file's buffers: meshes may share their
+// numbers, and numbers may be left out, so that a few bytes would ask for very many.
+constexpr std::size_t kMostVertices = 2'000'000;
+
 class MeshReader {
  public:
   MeshReader(const tinygltf::Model& model, const GltfTree& tree, const std::string& place, Diagnostics& diagnostics)
       : model_(model), tree_(tree), place_(place), diagnostics_(diagnostics), world_(gltf_world(model)) {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
       segment_of_[tree.nodes[i]] = i;
+    }
+    for (const tinygltf::Buffer& buffer : model.buffers) {
+      left_ += buffer.data.size();
     }
   }
 
@@ -120,6 +127,10 @@ class MeshReader {
       return broken("its positions are not whole");
     }
     const std::size_t n = positions->count();
+    if (n > left_) {
+      return broken("there are more vertices than can be read");
+    }
+    left_ -= n;
     const std::size_t first = mesh.positions.size();
     const auto vector = [](const GltfNumbers& of, std::size_t i) {
       return Vector3d(static_cast<double>(of.values[3 * i]), static_cast<double>(of.values[3 * i + 1]),
@@ -211,6 +222,10 @@ class MeshReader {
         corners.push_back(static_cast<std::uint32_t>(v));
       }
     }
+    if (corners.size() > left_) {
+      return broken("there are more triangles than can be read");
+    }
+    left_ -= corners.size();
     for (std::size_t c = 0; c + 2 < corners.size(); c += 3) {
       std::array<std::uint32_t, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -232,6 +247,7 @@ class MeshReader {
   std::map<int, std::size_t> segment_of_;
   Similarity to_world_;  // from the mesh's own space to the file's world, as it is bound
   std::string where_;
+  std::size_t left_ = kMostVertices;
 };
 
 }  // namespace

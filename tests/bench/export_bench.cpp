@@ -8,6 +8,7 @@
 #include "interchange/fbx_reader.h"
 #include "interchange/fbx_writer.h"
 #include "interchange/gltf_clip.h"
+#include "interchange/gltf_file.h"
 #include "interchange/random_clip.h"
 #include "support/temporary_folder.h"
 
@@ -63,7 +64,14 @@ void BM_WriteFbx(benchmark::State& state) {
         [](const motion::Clip& clip, const std::filesystem::path& path) { return interchange::write_fbx(clip, path); });
 }
 void BM_WriteGlb(benchmark::State& state) {
-  write(state, "ten.glb",
+  write(state, "ten.glb", [](const motion::Clip& clip, const std::filesystem::path& path) {
+    const motion::Clip* const clips[] = {&clip};
+    return interchange::write_gltf(clips, path);
+  });
+}
+// The form in which takes keep solves: with all keys in double precision as well.
+void BM_WriteSolve(benchmark::State& state) {
+  write(state, "solve.glb",
         [](const motion::Clip& clip, const std::filesystem::path& path) { return interchange::write_glb(clip, path); });
 }
 
@@ -90,6 +98,11 @@ void BM_ReadFbx(benchmark::State& state) {
     benchmark::DoNotOptimize(interchange::load_fbx(file("ten.fbx")).ok());
   }
 }
+void BM_ReadGlb(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(interchange::load_gltf(file("ten.glb")).ok());
+  }
+}
 
 // In this order: what is read must have been written.
 BENCHMARK(BM_WriteFbx)->Unit(benchmark::kMillisecond);
@@ -97,5 +110,7 @@ BENCHMARK(BM_AssimpReadsFbx)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_ReadFbx)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_WriteGlb)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_AssimpReadsGlb)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ReadGlb)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_WriteSolve)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "interchange/bvh_writer.h"
 #include "interchange/fbx_writer.h"
 #include "interchange/gltf_clip.h"
+#include "interchange/gltf_file.h"
 #include "interchange/random_clip.h"
 #include "interchange/skinned_clip.h"
 #include "simulate/word_line.h"
@@ -98,6 +99,9 @@ int main(int argc, char** argv) {
     options.keys = n == 3 ? interchange::FbxKeyMode::kOwn : interchange::FbxKeyMode::kDense;
     must(interchange::write_fbx(clip, folder / "fbx" / (name + ".fbx"), options));
     must(interchange::write_glb(clip, folder / "gltf" / (name + ".glb")));
+    const motion::Clip* const clips[] = {&clip};
+    must(interchange::write_gltf(clips, folder / "gltf" / (name + "-file.glb")));
+    must(interchange::write_gltf(clips, folder / "gltf" / (name + "-file.gltf")));
   }
   return 0;
 }

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "motion/clip.h"
 #include "motion/mannequin.h"
+#include "motion/meshes.h"
 
 namespace limbwave::motion {
 namespace {
@@ -171,6 +174,113 @@ TEST(Skinning, RefusesWhatCannotBeSkinnedAndCanBeCancelled) {
       skinned(arm.mesh, arm.skeleton, rest, {}, Progress([](double, std::string_view) { return false; }));
   ASSERT_FALSE(stopped.ok());
   EXPECT_TRUE(is_cancelled(stopped.error()));
+}
+
+// Every vertex: one to four bones, weights that sum to 1, no number that is none.
+void expect_whole(const SkinnedMesh& skin, const body::Skeleton& skeleton) {
+  ASSERT_TRUE(validate(skin, skeleton).ok()) << validate(skin, skeleton).error().text();
+  for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+    float sum = 0.0F;
+    for (std::size_t k = 0; k < kInfluences; ++k) {
+      ASSERT_TRUE(skin.weights[v][k] >= 0.0F && skin.weights[v][k] <= 1.0F) << v;
+      ASSERT_LT(skin.segments[v][k], skeleton.segments.size());
+      sum += skin.weights[v][k];
+    }
+    ASSERT_NEAR(sum, 1.0F, 1e-6F) << v;
+  }
+}
+
+// The steepest solution of w'' = (w - p) / d² along a skin at the distance d from its bones rises by 1 / 2d: twice as
+// much is allowed over every edge.
+std::size_t steep_edges(const SkinnedMesh& skin, const body::Skeleton& skeleton) {
+  const auto pieces = test::bone_pieces(skeleton);
+  const auto nearest = [&](std::size_t v) {
+    double best = 1e9;
+    for (const auto& piece : pieces) {
+      best = std::min(best, test::distance(skin.positions[v].cast<double>(), piece));
+    }
+    return best;
+  };
+  std::size_t steep = 0;
+  for (const auto& triangle : skin.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = triangle[k];
+      const std::size_t b = triangle[(k + 1) % 3];
+      const double length = static_cast<double>((skin.positions[a] - skin.positions[b]).norm());
+      const double most = length / std::min(nearest(a), nearest(b)) + 0.02;
+      for (std::size_t bone = 0; bone < skeleton.segments.size(); ++bone) {
+        steep += std::abs(weight_of(skin, a, bone) - weight_of(skin, b, bone)) > most ? 1 : 0;
+      }
+    }
+  }
+  return steep;
+}
+
+TEST(Skinning, APersonOf25BonesIsSmoothAndFollowsTheRightLimbs) {
+  const body::Skeleton skeleton = test::person_of_25();
+  ASSERT_EQ(skeleton.segments.size(), 25U);
+  const auto skin = skinned(test::person_mesh(4000), skeleton, rest_poses(skeleton));
+  ASSERT_TRUE(skin.ok()) << skin.error().text();
+  expect_whole(*skin, skeleton);
+  EXPECT_EQ(steep_edges(*skin, skeleton), 0U);
+  const auto bone = [&](const char* name) { return static_cast<std::size_t>(skeleton.find(name)); };
+  for (std::size_t v = 0; v < skin->positions.size(); ++v) {
+    const Vector3f& p = skin->positions[v];
+    // No leg moves the other, no arm a leg.
+    if (p.z() < 0.6F) {
+      EXPECT_LT(weight_of(*skin, v, bone(p.y() > 0.0F ? "rightThigh" : "leftThigh")), 0.05) << v;
+      EXPECT_LT(weight_of(*skin, v, bone("leftHand")), 1e-3) << v;
+    }
+    // The middle of the forearm, two of its radii from both joints: 1 - exp(-2) of the weight on a straight tube.
+    if (p.y() > 0.57F && p.y() < 0.60F) {
+      EXPECT_GT(weight_of(*skin, v, bone("leftForeArm")), 0.8) << v;
+    }
+    if (p.z() > 1.65F) {
+      EXPECT_GT(weight_of(*skin, v, bone("head")), 0.8) << v;
+    }
+  }
+}
+
+TEST(Skinning, ABadlyMadeMeshIsSkinnedAsWell) {
+  const body::Skeleton skeleton = test::person_of_25();
+  const TriangleMesh mesh = test::nasty_mesh(5000);
+  const auto skin = skinned(mesh, skeleton, rest_poses(skeleton));
+  ASSERT_TRUE(skin.ok()) << skin.error().text();
+  ASSERT_EQ(skin->positions.size(), mesh.positions.size());
+  expect_whole(*skin, skeleton);
+  // Corners at one place move alike, whatever triangles they belong to.
+  std::map<std::tuple<float, float, float>, std::size_t> at;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vector3f& p = mesh.positions[v];
+    const std::size_t first = at.try_emplace({p.x(), p.y(), p.z()}, v).first->second;
+    ASSERT_EQ(skin->weights[v], skin->weights[first]);
+    ASSERT_EQ(skin->segments[v], skin->segments[first]);
+  }
+  // The hat follows the head, which is nearest.
+  EXPECT_GT(weight_of(*skin, mesh.positions.size() - 1, static_cast<std::size_t>(skeleton.find("head"))), 0.9);
+}
+
+TEST(Skinning, ProgressRisesAndEveryReportCanStopIt) {
+  const body::Skeleton skeleton = test::person_of_25();
+  const TriangleMesh mesh = test::person_mesh(3000);
+  std::vector<double> parts;
+  const Progress listening([&](double part, std::string_view) {
+    parts.push_back(part);
+    return true;
+  });
+  ASSERT_TRUE(skinned(mesh, skeleton, rest_poses(skeleton), {}, listening).ok());
+  EXPECT_GT(parts.size(), 20U);
+  EXPECT_TRUE(std::ranges::is_sorted(parts));
+  EXPECT_GE(parts.front(), 0.0);
+  EXPECT_LE(parts.back(), 1.0);
+  for (std::size_t stop = 0; stop < parts.size(); stop += 5) {
+    std::size_t reports = 0;
+    const auto stopped = skinned(mesh, skeleton, rest_poses(skeleton), {},
+                                 Progress([&](double, std::string_view) { return reports++ < stop; }));
+    ASSERT_FALSE(stopped.ok());
+    EXPECT_TRUE(is_cancelled(stopped.error()));
+    EXPECT_EQ(reports, stop + 1);
+  }
 }
 
 TEST(Skinning, AMeshOfAnotherSizeIsFitted) {
