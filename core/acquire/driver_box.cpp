@@ -1,10 +1,15 @@
 #include "acquire/driver_box.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <libserialport.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -18,7 +23,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr auto kReadTimeout = 20;  // milliseconds
+constexpr int kReadTimeout = 20;    // milliseconds
+constexpr int kWriteTimeout = 500;  // milliseconds
 constexpr auto kReopenPause = milliseconds(100);
 constexpr auto kLateBlock = milliseconds(60);  // how long a missing block may still come
 constexpr auto kAskAgain = milliseconds(500);
@@ -35,43 +41,89 @@ class Line {
     std::error_code code;
     const std::filesystem::path real = std::filesystem::canonical(name, code);
     const std::string path = code ? name : real.string();
-    sp_port* port = nullptr;
-    if (sp_get_port_by_name(path.c_str(), &port) != SP_OK) {
-      return Error{"is no serial port", name, "see limbwave devices, or check the cable"};
+    std::unique_ptr<Line> line(new Line);
+    // libserialport asks for modem lines, which a pseudo-terminal does not have.
+    if (path.starts_with("/dev/pts/")) {
+      return line->open_terminal(path) ? Result(std::move(line)) : cannot_open(name);
     }
-    if (sp_open(port, SP_MODE_READ_WRITE) != SP_OK) {
-      sp_free_port(port);
-      return Error{"cannot be opened", name, "check the cable, and that you may use serial ports (group dialout)"};
+    if (sp_get_port_by_name(path.c_str(), &line->port_) != SP_OK) {
+      return Error{"is no serial port", name, "check the cable, and the port's name"};
     }
-    std::unique_ptr<Line> line(new Line(port));
-    // Raw bytes; a pseudo-terminal has no line rate, which is no reason to refuse it.
-    sp_set_baudrate(port, 115200);
-    sp_set_bits(port, 8);
-    sp_set_parity(port, SP_PARITY_NONE);
-    sp_set_stopbits(port, 1);
-    sp_set_flowcontrol(port, SP_FLOWCONTROL_NONE);
+    if (sp_open(line->port_, SP_MODE_READ_WRITE) != SP_OK) {
+      return cannot_open(name);
+    }
+    line->port_open_ = true;
+    sp_set_baudrate(line->port_, 115200);
+    sp_set_bits(line->port_, 8);
+    sp_set_parity(line->port_, SP_PARITY_NONE);
+    sp_set_stopbits(line->port_, 1);
+    sp_set_flowcontrol(line->port_, SP_FLOWCONTROL_NONE);
     return line;
   }
   ~Line() {
-    sp_close(port_);
-    sp_free_port(port_);
+    if (port_open_) {
+      sp_close(port_);
+    }
+    if (port_ != nullptr) {
+      sp_free_port(port_);
+    }
+    if (terminal_ >= 0) {
+      ::close(terminal_);
+    }
   }
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
   // Bytes read, 0 when none came, below 0 when the line is gone.
   int read(std::vector<std::byte>& buffer) {
-    const enum sp_return got = sp_blocking_read_next(port_, buffer.data(), buffer.size(), kReadTimeout);
-    return static_cast<int>(got);
+    if (terminal_ < 0) {
+      return static_cast<int>(sp_blocking_read_next(port_, buffer.data(), buffer.size(), kReadTimeout));
+    }
+    pollfd wait{terminal_, POLLIN, 0};
+    if (::poll(&wait, 1, kReadTimeout) <= 0) {
+      return 0;
+    }
+    const ssize_t got = ::read(terminal_, buffer.data(), buffer.size());
+    // Readable and nothing there: the other end was closed.
+    return got > 0 ? static_cast<int>(got) : (got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1);
   }
+
   bool write(const std::vector<std::byte>& bytes) {
-    return static_cast<int>(sp_blocking_write(port_, bytes.data(), bytes.size(), 500)) ==
-           static_cast<int>(bytes.size());
+    if (terminal_ < 0) {
+      const auto put = static_cast<int>(sp_blocking_write(port_, bytes.data(), bytes.size(), kWriteTimeout));
+      return put == static_cast<int>(bytes.size());
+    }
+    for (std::size_t done = 0; done < bytes.size();) {
+      pollfd wait{terminal_, POLLOUT, 0};
+      const ssize_t put =
+          ::poll(&wait, 1, kWriteTimeout) > 0 ? ::write(terminal_, bytes.data() + done, bytes.size() - done) : -1;
+      if (put <= 0) {
+        return false;
+      }
+      done += static_cast<std::size_t>(put);
+    }
+    return true;
   }
 
  private:
-  explicit Line(sp_port* port) : port_(port) {}
-  sp_port* port_;
+  Line() = default;
+  static Error cannot_open(const std::string& name) {
+    return {"cannot be opened", name, "check the cable, and that you may use serial ports (group dialout)"};
+  }
+  bool open_terminal(const std::string& path) {
+    terminal_ = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    termios raw{};
+    if (terminal_ < 0 || ::tcgetattr(terminal_, &raw) != 0) {
+      return false;
+    }
+    ::cfmakeraw(&raw);
+    raw.c_cflag |= CS8 | CREAD | CLOCAL;
+    return ::tcsetattr(terminal_, TCSANOW, &raw) == 0;
+  }
+
+  sp_port* port_ = nullptr;
+  bool port_open_ = false;
+  int terminal_ = -1;
 };
 
 }  // namespace

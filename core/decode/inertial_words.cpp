@@ -291,7 +291,7 @@ struct InertialWordDecoder::Impl {
       }
       if (!locked) {
         drop_bits(1);
-        if (++searched > 20 * kWordBits) {  // the clock was found in noise: once more
+        if (++searched > kWordBits + kWordBits / 4) {  // the clock was found in noise: once more
           timed = false;
           searched = 0;
           return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "base/time.h"
@@ -48,10 +49,12 @@ struct RangeReading {
   [[nodiscard]] double confidence() const { return factors.product(); }
 };
 
-/// What a filter expects a range to be, to resolve whole cycles with: variance in m², infinite for "don't know".
+/// What a pose filter expects, to resolve whole cycles with.
 struct RangePrediction {
-  double range = 0.0;
-  double variance = 0.0;
+  double range = 0.0;     ///< Metres.
+  double variance = 0.0;  ///< m².
+  /// Of the microphone off the source's normal, radians, good to a few degrees; NaN: not known.
+  double angle = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace limbwave::decode

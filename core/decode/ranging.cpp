@@ -10,7 +10,7 @@
 #include "base/units.h"
 #include "decode/pulse_finder.h"
 #include "decode/pulse_shape.h"
-#include "decode/range_tracker.h"
+#include "decode/range_trackers.h"
 #include "decode/steepest_point.h"
 #include "signal/fir_design.h"
 
@@ -20,10 +20,15 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kNoiseMemory = 1.0 / 24.0;  // of a slot
-constexpr double kStrong = 0.45;             // of the amplitude expected: fully believed from here
+constexpr double kStrong = 0.6;              // of the amplitude expected: fully believed from here
 constexpr double kSystematic = 0.4e-3;       // metres, of the envelope beside its noise
 constexpr double kCaution = 1.8;             // of variances, before whole cycles are counted
 constexpr double kSurprise = 5.0;            // standard deviations
+constexpr double kFarthest = 3.7;            // standard deviations of the envelope
+constexpr double kFinest = 0.55e-3;          // metres; a carrier whose phase is known worse is none
+constexpr double kModel = 0.2e-3;            // metres, of what is expected
+constexpr double kNowhere = 0.6;             // radians, of a direction that is not known
+constexpr double kPoseAngle = 0.06;          // radians, of one that a pose filter tells
 constexpr double kDoubt = 3.2;               // standard deviations of the mean of envelope minus carrier
 
 double wrapped(double value, double period) {
@@ -48,7 +53,7 @@ struct RangingDecoder::Impl {
         plan(format, rate),
         shape(shared ? std::move(shared) : std::make_shared<const PulseShape>(format, plan, rate)),
         finder(*shape, plan, format.pulse_hz),
-        tracker(format, parameters),
+        trackers(format, parameters),
         paper(parameters.method == RangingMethod::kPaper ? std::make_unique<SteepestPoint>(format, rate) : nullptr),
         slips(format.sources.size()) {
     longest_reach = 0.0;
@@ -70,7 +75,7 @@ struct RangingDecoder::Impl {
   BasebandPlan plan;
   std::shared_ptr<const PulseShape> shape;
   PulseFinder finder;
-  RangeTracker tracker;
+  RangeTrackers trackers;
   std::unique_ptr<SteepestPoint> paper;
   Predict predict;
   double longest_reach;
@@ -190,8 +195,8 @@ struct RangingDecoder::Impl {
     const bool cut = std::any_of(missing.begin(), missing.end(), [&](const auto& gap) {
       return gap.first < first + reach && gap.second > first - static_cast<std::int64_t>(plan.taps_re.size());
     });
-    tracker.advance(reading.emission_time.value);
-    if (const auto expected = tracker.expect(number)) {
+    trackers.advance(reading.emission_time.value);
+    if (const auto expected = trackers.expect(number)) {
       reading.expected = expected->range;
       reading.expected_variance = expected->variance;
     }
@@ -210,15 +215,28 @@ struct RangingDecoder::Impl {
     readings.push_back(reading);
   }
 
+  // Off a source's normal.
+  struct Direction {
+    double angle = 0.0, sd = kNowhere;  // radians
+  };
+
+  [[nodiscard]] static Direction direction(const std::optional<RangeTracker::Expectation>& expected,
+                                           const std::optional<RangePrediction>& told) {
+    if (told && std::isfinite(told->angle)) {
+      return {told->angle, kPoseAngle};
+    }
+    return expected ? Direction{expected->angle, std::min(kNowhere, expected->angle_sd)} : Direction{};
+  }
+
   // Strength and angle, as the paper has them, from what is known about the geometry.
   void judge(const RangingSource& source, double range, double amplitude, RangeReading& reading,
-             const std::optional<RangeTracker::Expectation>& expected) const {
+             const Direction& towards) const {
     double pattern = 0.25;  // where no direction is known: far off the axis, but in sight
     reading.factors.angle = 1.0;
-    if (expected && expected->angle_sd < radians(6.0)) {
+    if (towards.sd < radians(6.0)) {
       // Of the angles that are possible the one that explains the least strength.
-      pattern = radiated(std::min(kPi, expected->angle + expected->angle_sd));
-      reading.factors.angle = std::clamp((radians(95.0) - expected->angle) / radians(10.0), 0.0, 1.0);
+      pattern = radiated(std::min(kPi, towards.angle + towards.sd));
+      reading.factors.angle = std::clamp((radians(95.0) - towards.angle) / radians(10.0), 0.0, 1.0);
     }
     const double near = std::max(range, 0.05);
     const double strength =
@@ -239,17 +257,24 @@ struct RangingDecoder::Impl {
       return;
     }
     const Arrival& arrival = found.arrivals.front();
-    const auto expected = tracker.expect(reading.source);
+    const auto expected = trackers.expect(reading.source);
     reading.envelope_range = c * arrival.delay_s;
     reading.envelope_variance = c * c * arrival.delay_variance + kSystematic * kSystematic;
     const double wavelength = c / format.pulse_hz;
-    const double u = expected ? std::min(1.5, expected->angle / (kPi / 3.0)) : 0.0;
+    const std::optional<RangePrediction> told = predict ? predict(reading.source, reading.emission_time) : std::nullopt;
+    const Direction towards = direction(expected, told);
+    const double u = std::min(1.5, towards.angle / (kPi / 3.0));
     const double turn = u * u * (source.phase + source.phase_2 * u);
     // The carrier is counted from the slot's start, the delay from the source's own.
     const double phase = turn - arrival.phase - 2.0 * kPi * format.pulse_hz * source.delay_s;
     reading.phase_range = wrapped(phase / (2.0 * kPi) * wavelength, wavelength);
-    const double phase_variance = arrival.phase_variance * std::pow(wavelength / (2.0 * kPi), 2);
-    judge(source, reading.envelope_range, arrival.amplitude, reading, expected);
+    // Off the axis the phase turns: by what is calibrated where the direction is known, by nobody knows what else.
+    const double slope = u * (2.0 * source.phase + 3.0 * u * source.phase_2) / (kPi / 3.0);
+    const double radian = wavelength / (2.0 * kPi);
+    const double turn_sd =
+        std::hypot(std::abs(slope) * towards.sd * radian, parameters.phase_sd * std::max(1.0, u * u));
+    const double phase_variance = arrival.phase_variance * radian * radian + turn_sd * turn_sd;
+    judge(source, reading.envelope_range, arrival.amplitude, reading, towards);
     reading.range = reading.envelope_range;
     reading.variance = reading.envelope_variance;
     reading.flight_s = reading.range / c;
@@ -258,7 +283,7 @@ struct RangingDecoder::Impl {
     reading.factors.continuity = 1.0;
     if (expected) {
       const double z = std::abs(reading.envelope_range - expected->range) /
-                       std::sqrt(expected->variance + reading.envelope_variance + 1e-6);
+                       std::sqrt(expected->variance + reading.envelope_variance + 9e-6);
       reading.factors.continuity = z <= kSurprise ? 1.0 : std::pow(kSurprise / z, 4);
     }
     if (reading.factors.strength < parameters.least_confidence) {
@@ -266,74 +291,73 @@ struct RangingDecoder::Impl {
       return;
     }
     if (!expected) {
-      tracker.collect(reading.source, reading.emission_time.value, reading.envelope_range, reading.envelope_variance);
+      trackers.collect(reading.source, reading.emission_time.value, reading.envelope_range, reading.envelope_variance);
       reading.verdict =
           parameters.method == RangingMethod::kEnvelope ? RangeVerdict::kAccepted : RangeVerdict::kAmbiguous;
       if (reading.envelope_range > source.reach) {
         reading.verdict = RangeVerdict::kInconsistent;
       }
-      if (parameters.method == RangingMethod::kCarrier && predict) {
-        if (const auto told = predict(reading.source, reading.emission_time); told && told->variance < 1e3) {
-          resolve(told->range, told->variance, phase_variance, wavelength, reading);
-        }
+      if (parameters.method == RangingMethod::kCarrier && reading.envelope_range <= source.reach) {
+        (void)resolve(phase_variance, wavelength, told, reading);  // by what a filter predicts, where there is one
       }
       return;
     }
     if (reading.confidence() < parameters.least_confidence || reading.envelope_range > source.reach) {
       reading.verdict = RangeVerdict::kInconsistent;
-      tracker.contradict();
+      trackers.contradict();
       return;
-    }
-    double mean = expected->range;
-    double variance = kCaution * expected->variance + 0.04e-6;
-    if (predict) {
-      if (const auto told = predict(reading.source, reading.emission_time); told && told->variance < 1e3) {
-        const double weight = variance / (variance + told->variance);
-        mean += weight * (told->range - mean);
-        variance *= 1.0 - weight;
-      }
     }
     if (parameters.method == RangingMethod::kEnvelope) {
       reading.verdict = RangeVerdict::kAccepted;
-      tracker.update(reading.source, reading.envelope_range, reading.envelope_variance);
+      trackers.update(reading.source, reading.envelope_range, reading.envelope_variance);
       return;
     }
-    if (resolve(mean, variance, phase_variance, wavelength, reading)) {
-      tracker.update(reading.source, reading.range, reading.variance + 0.01e-6);
+    if (resolve(phase_variance, wavelength, told, reading)) {
+      trackers.update(reading.source, reading.range, reading.variance + 0.01e-6);
       watch(reading);
     } else {
-      tracker.update(reading.source, reading.envelope_range, reading.envelope_variance);
+      trackers.update(reading.source, reading.envelope_range, reading.envelope_variance);
     }
   }
 
-  // The whole number of cycles that the envelope and what is expected agree on, if there is only one.
-  bool resolve(double mean, double variance, double phase_variance, double wavelength, RangeReading& reading) {
+  // The whole number of cycles that the envelope, what this microphone did so far, and what a filter predicts agree on,
+  // if there is only one.
+  bool resolve(double phase_variance, double wavelength, const std::optional<RangePrediction>& told,
+               RangeReading& reading) {
     // Echoes that overlap, and a shape that is not quite the template's, disturb envelopes beyond their noise.
-    const double envelope_variance = kCaution * reading.envelope_variance;
-    const double weight = variance / (variance + envelope_variance);
-    const double both = mean + weight * (reading.envelope_range - mean);
-    const double both_variance = std::max(variance * (1.0 - weight), 1e-9);
-    const double nearest = std::round((both - reading.phase_range) / wavelength);
+    const double envelope_variance = kCaution * reading.envelope_variance + phase_variance;
+    const bool predicted = told && told->variance < 1e3 && told->variance >= 0.0;
+    const double nearest = std::round((reading.envelope_range - reading.phase_range) / wavelength);
+    const int reach = 1 + static_cast<int>(std::ceil(4.5 * std::sqrt(envelope_variance) / wavelength));
     double total = 0.0;
     double best = 0.0;
-    for (int k = -3; k <= 3; ++k) {
+    double best_range = reading.envelope_range;
+    for (int k = -reach; k <= reach; ++k) {
       const double range = reading.phase_range + (nearest + k) * wavelength;
-      const double likelihood = std::exp(-0.5 * (range - both) * (range - both) / (both_variance + phase_variance));
+      const double off = range - reading.envelope_range;
+      double likelihood = std::exp(-0.5 * off * off / envelope_variance) *
+                          trackers.likelihood(reading.source, range, phase_variance + kModel * kModel);
+      if (predicted) {
+        const double left = range - told->range;
+        likelihood *= std::exp(-0.5 * left * left / (told->variance + phase_variance));
+      }
       total += likelihood;
-      best = std::max(best, likelihood);
+      if (likelihood > best) {
+        best = likelihood;
+        best_range = range;
+      }
     }
-    const double range = reading.phase_range + nearest * wavelength;
-    const double left = range - both;
+    const double off = best_range - reading.envelope_range;
     const bool certain = total > 0.0 && best >= parameters.certainty * total &&
-                         left * left < kSurprise * kSurprise * (both_variance + phase_variance + 0.09e-6);
+                         off * off < kFarthest * kFarthest * envelope_variance && phase_variance < kFinest * kFinest;
     if (!certain) {
       reading.verdict = RangeVerdict::kAmbiguous;
       return false;
     }
     reading.verdict = RangeVerdict::kAccepted;
-    reading.range = range;
-    reading.variance = phase_variance + parameters.phase_sd * parameters.phase_sd;
-    reading.flight_s = range / format.speed_of_sound;
+    reading.range = best_range;
+    reading.variance = phase_variance;
+    reading.flight_s = best_range / format.speed_of_sound;
     return true;
   }
 
@@ -346,7 +370,7 @@ struct RangingDecoder::Impl {
     const double mean = slip.mean / slip.weight;
     const double sd = 1.0 / std::sqrt(slip.weight);
     if (std::abs(mean) > 3e-3 && std::abs(mean) > kDoubt * sd) {
-      tracker.doubt(reading.source);
+      trackers.doubt(reading.source);
       slip = {};
     }
   }
@@ -362,8 +386,8 @@ struct RangingDecoder::Impl {
     const double c = format.speed_of_sound;
     reading.range = reading.envelope_range = c * (found->delay_s - source.delay_s);
     reading.flight_s = reading.range / c;
-    const auto expected = tracker.expect(reading.source);
-    judge(source, reading.range, found->peak, reading, expected);
+    const auto expected = trackers.expect(reading.source);
+    judge(source, reading.range, found->peak, reading, direction(expected, std::nullopt));
     // σ of 2.5 mm at 25 dB, and in inverse proportion to the amplitude.
     const double sd = 2.5e-3 * std::pow(10.0, (25.0 - std::min(45.0, reading.snr_db)) / 20.0);
     reading.variance = reading.envelope_variance = sd * sd + kSystematic * kSystematic;
@@ -378,13 +402,13 @@ struct RangingDecoder::Impl {
     } else if (reading.range > source.reach || reading.range < 0.0 ||
                reading.confidence() < parameters.least_confidence) {
       reading.verdict = RangeVerdict::kInconsistent;
-      tracker.contradict();
+      trackers.contradict();
     } else {
       reading.verdict = RangeVerdict::kAccepted;
       if (expected) {
-        tracker.update(reading.source, reading.range, reading.variance);
+        trackers.update(reading.source, reading.range, reading.variance);
       } else {
-        tracker.collect(reading.source, reading.emission_time.value, reading.range, reading.variance);
+        trackers.collect(reading.source, reading.emission_time.value, reading.range, reading.variance);
       }
     }
   }

@@ -47,7 +47,7 @@ struct RangingParameters {
   double placement_sd = 6e-3;        ///< How far sources sit from where the rig says, metres.
   double jerk = 40.0;                ///< White jerk of a limb, m/s³ √s.
   double source_acceleration = 0.6;  ///< White acceleration of sources on other segments, m/s² √s.
-  double certainty = 0.99995;        ///< Of a whole number of cycles.
+  double certainty = 0.98;           ///< Of a whole number of cycles.
   double least_confidence = 0.1;     ///< Of an accepted range.
 };
 

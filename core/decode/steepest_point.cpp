@@ -14,7 +14,8 @@ constexpr double kHalfBandHz = 2500.0;  // 40 ± 2.5 kHz (p)
 constexpr double kLowPassHz = 30000.0;  // (p)
 constexpr std::size_t kBandTaps = 129;
 constexpr std::size_t kLowTaps = 17;
-constexpr double kFirst = 0.2;  // of the largest power: what counts as the first rise
+constexpr double kFirst = 0.2;     // of the largest power: what counts as the first rise
+constexpr std::size_t kSlope = 8;  // samples to both sides, over which a slope is taken: a carrier cycle is 3.5
 constexpr double kOverNoise = 12.0;
 
 signal::SymmetricFir filter(const std::vector<double>& h) {
@@ -71,7 +72,7 @@ std::optional<SteepestPoint::Found> SteepestPoint::steepest(std::span<const floa
   while (rise < slot && envelope_[rise] < threshold) {
     ++rise;
   }
-  if (rise + 2 >= slot || rise < 2) {
+  if (rise + 2 * kSlope >= slot || rise < 2) {
     return std::nullopt;
   }
   std::size_t peak = rise;
@@ -80,13 +81,13 @@ std::optional<SteepestPoint::Found> SteepestPoint::steepest(std::span<const floa
     peak = envelope_[i] > envelope_[peak] ? i : peak;
   }
   const auto back = static_cast<std::size_t>(0.2e-3 * rate_hz_);
-  std::size_t best = std::max<std::size_t>(1, rise > back ? rise - back : 1);
-  const auto slope = [&](std::size_t i) { return envelope_[i + 1] - envelope_[i - 1]; };
-  for (std::size_t i = best; i < peak; ++i) {
+  std::size_t best = std::max(kSlope + 1, rise > back ? rise - back : 0);
+  const auto slope = [&](std::size_t i) { return envelope_[i + kSlope] - envelope_[i - kSlope]; };
+  for (std::size_t i = best; i < std::min(peak, slot - kSlope - 1); ++i) {
     best = slope(i) > slope(best) ? i : best;
   }
   double place = static_cast<double>(best);
-  if (best > 1 && best + 2 < slot) {
+  if (best > kSlope && best + kSlope + 1 < slot) {
     const double a = slope(best - 1);
     const double b = slope(best);
     const double c = slope(best + 1);

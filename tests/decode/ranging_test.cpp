@@ -123,8 +123,8 @@ TEST(Ranging, APredictionResolvesWholeCycles) {
           return std::nullopt;
         }
         // Off by a millimetre, to and fro.
-        const double range = world.pulses[slot].pairs[static_cast<std::size_t>(w)].range;
-        return RangePrediction{range + (slot % 2 == 0 ? 1e-3 : -1e-3), 1.5e-6};
+        const simulate::PairTruth& pair = world.pulses[slot].pairs[static_cast<std::size_t>(w)];
+        return RangePrediction{pair.range + (slot % 2 == 0 ? 1e-3 : -1e-3), 1.5e-6, pair.off_axis};
       });
     }
     decoder.push(world.samples);
