@@ -25,7 +25,8 @@ LITERAL = r'"(?:[^"\\\n]|\\.)*"'
 def without_comments(text):
     pattern = re.compile(rf"({LITERAL}|'(?:[^'\\]|\\.)')|//[^\n]*|/\*.*?\*/", re.S)
     text = re.sub(r"(?<=\d)'(?=\d)", "", text)
-    return pattern.sub(lambda m: m.group(1) or " ", text)
+    # A quotation mark as a character begins no text.
+    return pattern.sub(lambda m: "' '" if m.group(1) == "'\"'" else m.group(1) or " ", text)
 
 
 def unescaped(literals):

@@ -1983,10 +1983,6 @@
         <translation>die Batterie der Box ist auf %1 V gesunken</translation>
     </message>
     <message>
-        <source>this version reads &quot;line-in&quot; and &quot;driver-box&quot;</source>
-        <translation>diese Version liest „line-in“ und „driver-box“</translation>
-    </message>
-    <message>
         <source>%1: /ranging</source>
         <translation>%1: /ranging</translation>
     </message>
@@ -1997,6 +1993,178 @@
     <message>
         <source>use a take of a driver box</source>
         <translation>nehmen Sie einen Take einer Treiberbox</translation>
+    </message>
+    <message>
+        <source>there is no reading of the sensors that shall be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose other sensors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the root is said to be given, but there is no path of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give one, or let the root be free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; moved in the first second: its gyroscope&apos;s bias is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>begin with a second of standing still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correct the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no column &quot;sensor&quot;, and the rig has several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>say which sensor every row is of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a cell that is not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names the sensor &quot;%1&quot;, which the rig lacks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name sensors as in the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is earlier than the line before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which the rig lacks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name sources and receivers as in the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no column &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a path has time_s,qw,qx,qy,qz,px_m,py_m,pz_m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a quaternion that is not of length 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not later than the line before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has fewer than two poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check the columns and the segment&apos;s name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has neither the columns of inertial readings nor those of ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>see &quot;Plain files for other people&apos;s sensors&quot; in the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no column &quot;time_s&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>say when every row was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos; &amp;&amp; cell.back() == &apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check that it exists and that you may read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is larger than 2 GB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is damaged or breaks off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its first line names the columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this version reads &quot;line-in&quot;, &quot;driver-box&quot; and &quot;log&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no truth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give the root&apos;s path as a CSV file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not tell where the root was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of %2 readings of &quot;%3&quot; contradict all others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check where it is worn, and its calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of %2 readings of &quot;%3&quot; are beyond its range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>such movements need sensors of a wider range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as read</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
