@@ -12,6 +12,7 @@
 #include "geometry/so3.h"
 #include "interchange/bvh_reader.h"
 #include "motion/clip.h"
+#include "simulate/body_motions.h"
 
 namespace limbwave::simulate {
 namespace {
@@ -110,7 +111,81 @@ Vector3d right_at_rest(const std::vector<body::SegmentPose>& rest, const body::S
   return level.norm() > 0.1 ? Vector3d(level.normalized()) : Vector3d(-Vector3d::UnitY());
 }
 
+// What the joints of a whole body are called; "l" and "left" before the name stand for either side.
+struct BodyNames {
+  std::string_view part;
+  std::array<std::string_view, 7> joints;
+};
+constexpr std::array kBodyNames = {
+    BodyNames{"pelvis", {"root", "hips", "pelvis", "hip"}},
+    BodyNames{"abdomen", {"lowerback", "spine", "abdomen"}},
+    BodyNames{"chest", {"thorax", "upperchest", "spine2", "spine1", "chest", "upperback"}},
+    BodyNames{"neck", {"lowerneck", "neck"}},
+    BodyNames{"head", {"head"}},
+    BodyNames{"shoulder", {"clavicle", "shoulder", "collar"}},
+    BodyNames{"upperarm", {"humerus", "arm", "upperarm", "uparm", "shldr"}},
+    BodyNames{"forearm", {"radius", "forearm", "lowerarm", "lowarm", "elbow"}},
+    BodyNames{"hand", {"hand", "wrist"}},
+    BodyNames{"thigh", {"femur", "upleg", "upperleg", "thigh"}},
+    BodyNames{"shin", {"tibia", "leg", "lowerleg", "shin", "knee"}},
+    BodyNames{"foot", {"foot", "ankle"}},
+};
+
+// A whole body: the trunk stands at rest in both; legs and feet go from where ours point at rest to where the file's do
+// by the shortest way, arms from stretched sideways with the palm down.
+std::vector<Link> link_body(const body::Skeleton& skeleton, const body::Skeleton& file) {
+  std::vector<Link> links(skeleton.segments.size());
+  const std::vector<Quaterniond> R_WL_rest = standing(skeleton);
+  const std::vector<Quaterniond> identity(file.segments.size(), Quaterniond::Identity());
+  const auto rest = body::poses_from_joints(file, identity, Vector3d::Zero());
+  const Vector3d right = right_at_rest(rest, file, Vector3d::Zero());
+  const Vector3d forward = Vector3d::UnitZ().cross(right);
+  const Quaterniond heading(Eigen::AngleAxisd(std::atan2(forward.y(), forward.x()), Vector3d::UnitZ()));
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    std::string name = plain(skeleton.segments[i].name);
+    const bool left_side = name.starts_with("left");
+    const bool sided = left_side || name.starts_with("right");
+    name = sided ? name.substr(left_side ? 4 : 5) : name;
+    const auto* names =
+        std::find_if(kBodyNames.begin(), kBodyNames.end(), [&](const BodyNames& entry) { return entry.part == name; });
+    for (std::size_t n = 0; names != kBodyNames.end() && n < names->joints.size() && links[i].joint < 0; ++n) {
+      const std::string joint(names->joints[n]);
+      if (joint.empty()) {
+        break;
+      }
+      links[i].joint = find_plain(file, sided ? (left_side ? "left" : "right") + joint : joint);
+      if (links[i].joint < 0 && sided) {
+        links[i].joint = find_plain(file, (left_side ? "l" : "r") + joint);
+      }
+    }
+    if (links[i].joint < 0) {
+      continue;
+    }
+    links[i].R_JL = heading * R_WL_rest[i];
+    Vector3d bone = Vector3d::Zero();
+    for (std::size_t child = 0; child < file.segments.size(); ++child) {
+      if (file.segments[child].parent == links[i].joint && file.segments[child].p_PL.norm() > 1e-6) {
+        bone = file.segments[child].p_PL.normalized();
+        break;
+      }
+    }
+    const bool arm = name == "upperarm" || name == "forearm" || name == "hand";
+    const bool leg = name == "thigh" || name == "shin" || name == "foot";
+    if (arm) {
+      const Vector3d out = left_side ? Vector3d(-right) : right;
+      const Quaterniond stretched = from_columns(out, Vector3d::UnitZ());
+      links[i].R_JL = bone.isZero() ? stretched : Quaterniond(geometry::shortest_arc(out, bone, forward) * stretched);
+    } else if (leg && !bone.isZero()) {
+      links[i].R_JL = geometry::shortest_arc(links[i].R_JL * Vector3d::UnitX(), bone, right) * links[i].R_JL;
+    }
+  }
+  return links;
+}
+
 std::vector<Link> link_segments(const body::Skeleton& skeleton, const body::Skeleton& file) {
+  if (is_whole_body(skeleton)) {
+    return link_body(skeleton, file);
+  }
   std::vector<Link> links(skeleton.segments.size());
   const std::vector<Quaterniond> R_WL_rest = standing(skeleton);
   std::size_t own = 0;
