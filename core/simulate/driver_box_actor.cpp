@@ -68,7 +68,7 @@ body::Skeleton real_bones(const body::Skeleton& skeleton, double sigma, std::uin
 
 Result<std::shared_ptr<const DriverBoxActor>> DriverBoxActor::create(
     const std::string& motion, double motion_metres_per_unit, const body::Rig& rig, const body::Skeleton& skeleton,
-    const DriverBoxErrors& errors, std::uint64_t seed) {
+    const DriverBoxErrors& errors, std::uint64_t seed, double rest_s) {
   std::shared_ptr<DriverBoxActor> actor(new DriverBoxActor);
   actor->skeleton_ = real_bones(skeleton, errors.bone_length, seed);
   std::shared_ptr<const BodyMotion> once;
@@ -85,15 +85,28 @@ Result<std::shared_ptr<const DriverBoxActor>> DriverBoxActor::create(
     }
     once = *builtin;
   }
-  actor->motion_.append(once, 0.0);
+  if (rest_s > 0.0) {
+    actor->motion_.append(
+        std::make_shared<PoseMotion>(skeleton, std::vector<HeldPose>{{standing(skeleton), 0.0, rest_s}}), 0.0);
+  }
+  actor->motion_.append(once, rest_s > 0.0 ? kGap : 0.0);
   actor->duration_ = actor->motion_.duration();
   actor->loop_end_ = actor->motion_.append(once, kGap);
 
   Random rest(seed, "rest pose");
   for (std::size_t i = 0; i < skeleton.segments.size(); ++i) {
     const Vector3d axis = drawn_vector(rest, 1.0).normalized();
-    const bool turns = i > 0 && skeleton.segments[i].joint.kind != body::JointKind::kFixed;
-    actor->rest_error_.push_back(turns ? geometry::exp_so3(axis * errors.rest_pose) : Quaterniond::Identity());
+    // A pose is off within what the joint can do.
+    const body::Joint& joint = skeleton.segments[i].joint;
+    Vector3d off = i == 0 ? Vector3d::Zero() : Vector3d(axis * errors.rest_pose);
+    if (joint.kind == body::JointKind::kFixed) {
+      off.setZero();
+    } else if (joint.kind == body::JointKind::kHinge) {
+      off = joint.axis * (axis.x() < 0.0 ? -errors.rest_pose : errors.rest_pose);
+    } else if (joint.kind == body::JointKind::kUniversal) {
+      off = joint.axis2 * (axis.x() < 0.0 ? -errors.rest_pose : errors.rest_pose);
+    }
+    actor->rest_error_.push_back(geometry::exp_so3(off));
     std::vector<int> chain;
     for (int s = static_cast<int>(i); s >= 0; s = skeleton.segments[static_cast<std::size_t>(s)].parent) {
       chain.push_back(s);

@@ -40,7 +40,8 @@ class DriverBoxActor {
   /// `motion`: a built-in one or a BVH file. Fails when it cannot be read or does not fit the rig's skeleton.
   static Result<std::shared_ptr<const DriverBoxActor>> create(const std::string& motion, double motion_metres_per_unit,
                                                               const body::Rig& rig, const body::Skeleton& skeleton,
-                                                              const DriverBoxErrors& errors, std::uint64_t seed);
+                                                              const DriverBoxErrors& errors, std::uint64_t seed,
+                                                              double rest_s = 0.0);
 
   [[nodiscard]] const body::Skeleton& skeleton() const { return skeleton_; }  ///< With his real bones.
   [[nodiscard]] double duration() const { return duration_; }                 ///< Of the motion once, seconds.

@@ -42,8 +42,8 @@ Result<TakeInfo> info_from_json(const nlohmann::json& json, const std::string& p
                 "rig", "skeleton", "calibration", "ranging", "segments"});
   info.schema = static_cast<int>(reader.at("schema").integer(1, 1));
   info.kind = reader.at("kind").string();
-  if (info.kind != "line-in" && info.kind != "driver-box") {
-    reader.at("kind").fail("is \"" + info.kind + "\"", "this version reads \"line-in\" and \"driver-box\"");
+  if (info.kind != "line-in" && info.kind != "driver-box" && info.kind != "log") {
+    reader.at("kind").fail("is \"" + info.kind + "\"", "this version reads \"line-in\", \"driver-box\" and \"log\"");
   }
   info.created = reader.string_or("created", "");
   info.subject = reader.string_or("subject", "");
