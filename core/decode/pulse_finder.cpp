@@ -17,8 +17,7 @@ constexpr double kOverlap = 1.1e-3;    // seconds; later echoes do not reach bac
 
 }  // namespace
 
-PulseFinder::PulseFinder(const PulseShape& shape, const BasebandPlan& plan, double pulse_hz)
-    : shape_(shape), rate_hz_(plan.rate_hz), pulse_hz_(pulse_hz) {}
+PulseFinder::PulseFinder(const PulseShape& shape, const BasebandPlan& plan) : shape_(shape), rate_hz_(plan.rate_hz) {}
 
 // Energy ratio at whole lags: lag l is a template that begins at value l, a pulse that begins at l + lead.
 void PulseFinder::correlate(std::size_t first, std::size_t last) {

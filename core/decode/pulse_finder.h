@@ -29,10 +29,10 @@ struct FoundPulse {
 
 class PulseFinder {
  public:
-  PulseFinder(const PulseShape& shape, const BasebandPlan& plan, double pulse_hz);
+  PulseFinder(const PulseShape& shape, const BasebandPlan& plan);
 
-  /// `values` start at the slot's first sample minus `before` values (so that a pulse that begins at once is whole),
-  /// whatever fraction of a value `offset_s` that first value lies after the sample. Arrivals within
+  /// `values` go from a little before the slot's first sample (so that a pulse that begins at once is whole) to its
+  /// end; the first one lies `first_value_s` after the instant that delays are counted from. Arrivals within
   /// 0..longest_s are sought whose energy is `detection` times the noise's.
   FoundPulse find(std::span<const std::complex<float>> values, double first_value_s, double longest_s, double noise,
                   double detection);
@@ -50,7 +50,7 @@ class PulseFinder {
   [[nodiscard]] std::pair<int, std::size_t> phase_of(double place) const;
 
   const PulseShape& shape_;
-  double rate_hz_, pulse_hz_;
+  double rate_hz_;
   std::vector<std::complex<float>> rest_;  // of the slot, without what was explained
   std::vector<float> re_, im_;
   std::vector<float> power_;

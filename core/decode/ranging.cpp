@@ -52,7 +52,7 @@ struct RangingDecoder::Impl {
         parameters(ranging_parameters),
         plan(format, rate),
         shape(shared ? std::move(shared) : std::make_shared<const PulseShape>(format, plan, rate)),
-        finder(*shape, plan, format.pulse_hz),
+        finder(*shape, plan),
         trackers(format, parameters),
         paper(parameters.method == RangingMethod::kPaper ? std::make_unique<SteepestPoint>(format, rate) : nullptr),
         slips(format.sources.size()) {
@@ -297,7 +297,7 @@ struct RangingDecoder::Impl {
       if (reading.envelope_range > source.reach) {
         reading.verdict = RangeVerdict::kInconsistent;
       }
-      if (parameters.method == RangingMethod::kCarrier && reading.envelope_range <= source.reach) {
+      if (parameters.method == RangingMethod::kCarrier && told && reading.envelope_range <= source.reach) {
         (void)resolve(phase_variance, wavelength, told, reading);  // by what a filter predicts, where there is one
       }
       return;
