@@ -1996,175 +1996,171 @@
     </message>
     <message>
         <source>there is no reading of the sensors that shall be used</source>
-        <translation type="unfinished"></translation>
+        <translation>von den Sensoren, die benutzt werden sollen, gibt es keine Messwerte</translation>
     </message>
     <message>
         <source>choose other sensors</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie andere Sensoren</translation>
     </message>
     <message>
         <source>the root is said to be given, but there is no path of it</source>
-        <translation type="unfinished"></translation>
+        <translation>die Wurzel soll gegeben sein, aber es gibt keinen Weg von ihr</translation>
     </message>
     <message>
         <source>give one, or let the root be free</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie einen an oder lassen Sie die Wurzel frei</translation>
     </message>
     <message>
         <source>&quot;%1&quot; moved in the first second: its gyroscope&apos;s bias is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hat sich in der ersten Sekunde bewegt: die Nullpunktabweichung seines Kreisels ist unbekannt</translation>
     </message>
     <message>
         <source>begin with a second of standing still</source>
-        <translation type="unfinished"></translation>
+        <translation>beginnen Sie mit einer Sekunde Stillstehen</translation>
     </message>
     <message>
         <source>correct the line</source>
-        <translation type="unfinished"></translation>
+        <translation>berichtigen Sie die Zeile</translation>
     </message>
     <message>
         <source>has no column &quot;sensor&quot;, and the rig has several</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keine Spalte „sensor“, und das Rig hat mehrere</translation>
     </message>
     <message>
         <source>say which sensor every row is of</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie an, von welchem Sensor jede Zeile ist</translation>
     </message>
     <message>
         <source>has a cell that is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine Zelle, die keine Zahl ist</translation>
     </message>
     <message>
         <source>names the sensor &quot;%1&quot;, which the rig lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>nennt den Sensor „%1“, den das Rig nicht hat</translation>
     </message>
     <message>
         <source>name sensors as in the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>benennen Sie Sensoren wie im Rig</translation>
     </message>
     <message>
         <source>is earlier than the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>ist früher als die Zeile davor</translation>
     </message>
     <message>
         <source>names &quot;%1&quot;, which the rig lacks</source>
-        <translation type="unfinished"></translation>
+        <translation>nennt „%1“, was das Rig nicht hat</translation>
     </message>
     <message>
         <source>name sources and receivers as in the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>benennen Sie Quellen und Empfänger wie im Rig</translation>
     </message>
     <message>
         <source>has no column &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keine Spalte „%1“</translation>
     </message>
     <message>
         <source>a path has time_s,qw,qx,qy,qz,px_m,py_m,pz_m</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Weg hat time_s,qw,qx,qy,qz,px_m,py_m,pz_m</translation>
     </message>
     <message>
         <source>has a quaternion that is not of length 1</source>
-        <translation type="unfinished"></translation>
+        <translation>hat ein Quaternion, dessen Länge nicht 1 ist</translation>
     </message>
     <message>
         <source>is not later than the line before</source>
-        <translation type="unfinished"></translation>
+        <translation>ist nicht später als die Zeile davor</translation>
     </message>
     <message>
         <source>has fewer than two poses</source>
-        <translation type="unfinished"></translation>
+        <translation>hat weniger als zwei Posen</translation>
     </message>
     <message>
         <source>check the columns and the segment&apos;s name</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie die Spalten und den Namen des Segments</translation>
     </message>
     <message>
         <source>has neither the columns of inertial readings nor those of ranges</source>
-        <translation type="unfinished"></translation>
+        <translation>hat weder die Spalten von Inertialmesswerten noch die von Entfernungen</translation>
     </message>
     <message>
         <source>see &quot;Plain files for other people&apos;s sensors&quot; in the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>siehe „Plain files for other people&apos;s sensors“ im Handbuch</translation>
     </message>
     <message>
         <source>has no column &quot;time_s&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keine Spalte „time_s“</translation>
     </message>
     <message>
         <source>say when every row was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie an, wann jede Zeile gemessen wurde</translation>
     </message>
     <message>
         <source>has no reading</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keinen Messwert</translation>
     </message>
     <message>
         <source>export it again</source>
-        <translation type="unfinished"></translation>
+        <translation>exportieren Sie sie noch einmal</translation>
     </message>
     <message>
         <source>choose another name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&apos; &amp;&amp; cell.back() == &apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht lesen</translation>
     </message>
     <message>
         <source>check that it exists and that you may read it</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie, ob es sie gibt und ob Sie sie lesen dürfen</translation>
     </message>
     <message>
         <source>is larger than 2 GB</source>
-        <translation type="unfinished"></translation>
+        <translation>ist größer als 2 GB</translation>
     </message>
     <message>
         <source>is damaged or breaks off</source>
-        <translation type="unfinished"></translation>
+        <translation>ist beschädigt oder bricht ab</translation>
     </message>
     <message>
         <source>its first line names the columns</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre erste Zeile benennt die Spalten</translation>
     </message>
     <message>
         <source>this version reads &quot;line-in&quot;, &quot;driver-box&quot; and &quot;log&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Version liest „line-in“, „driver-box“ und „log“</translation>
     </message>
     <message>
         <source>has no truth</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keine Wahrheit</translation>
     </message>
     <message>
         <source>give the root&apos;s path as a CSV file</source>
-        <translation type="unfinished"></translation>
+        <translation>geben Sie den Weg der Wurzel als CSV-Datei an</translation>
     </message>
     <message>
         <source>does not tell where the root was</source>
-        <translation type="unfinished"></translation>
+        <translation>sagt nicht, wo die Wurzel war</translation>
     </message>
     <message>
         <source>%1 % of %2 readings of &quot;%3&quot; contradict all others</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % von %2 Messwerten von „%3“ widersprechen allen anderen</translation>
     </message>
     <message>
         <source>check where it is worn, and its calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>prüfen Sie, wo er getragen wird, und seine Kalibrierung</translation>
     </message>
     <message>
         <source>%1 % of %2 readings of &quot;%3&quot; are beyond its range</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % von %2 Messwerten von „%3“ liegen außerhalb seines Messbereichs</translation>
     </message>
     <message>
         <source>such movements need sensors of a wider range</source>
-        <translation type="unfinished"></translation>
+        <translation>solche Bewegungen brauchen Sensoren mit größerem Messbereich</translation>
     </message>
     <message>
         <source>as read</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gelesen</translation>
     </message>
 </context>
 <context>
