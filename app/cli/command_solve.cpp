@@ -33,10 +33,9 @@ void add_solve(CLI::App& app, Console& console) {
       ->check(CLI::IsMember({"inclination", "filter", "smoother"}))
       ->capture_default_str();
   command
-      ->add_option(
-          "--root", options->root,
-          "fixed: the root stays where it is; free; contacts: free, with feet on the ground; truth: as simulated; or "
-          "a CSV file with its path")
+      ->add_option("--root", options->root,
+                   "fixed: the root stays where it is; free: by gravity and the sensors alone; truth: as simulated; or "
+                   "a CSV file with its path")
       ->capture_default_str();
   command
       ->add_option(
@@ -79,6 +78,10 @@ void add_solve(CLI::App& app, Console& console) {
     if (options->coupling >= 0.0) {
       settings.line_in.coupling_hz = options->coupling;
     }
+    if (options->root == "contacts") {
+      console.fail({"does not find out yet where feet stand", "--root contacts",
+                    "choose fixed, free, truth or a CSV file with the root's path"});
+    }
     const take::Take take = console.check(take::open_take(options->take));
     if (options->method == "inclination" && (options->sensors != "A" || options->root != "fixed")) {
       console.fail({"uses accelerometers on a root that is fixed", "--method inclination",
@@ -88,7 +91,10 @@ void add_solve(CLI::App& app, Console& console) {
       console.fail({"holds readings of other sensors", options->take, "choose --method filter or smoother"});
     }
     if (take.info.kind != "log" && options->method != "inclination") {
-      console.fail({"is a recording of a sound card", options->take, "choose --method inclination"});
+      console.fail(take.info.kind == "driver-box"
+                       ? Error{"is a recording of a driver box, which can be decoded and evaluated, not solved yet",
+                               options->take, "see `limbwave evaluate`"}
+                       : Error{"is a recording of a sound card", options->take, "choose --method inclination"});
     }
     const auto solved = [&] {
       if (options->method == "inclination") {

@@ -23,10 +23,9 @@ namespace limbwave::estimate {
 
 /// How the root is known.
 enum class RootMode {
-  kGiven,     ///< From a file, as the paper does with an optical system.
-  kFixed,     ///< Its joint stays at its place in the skeleton and turns as the skeleton says.
-  kContacts,  ///< Free, with feet that stand still on the ground detected and used.
-  kFree       ///< Free: gravity gives inclination, place and heading drift with a covariance that says so.
+  kGiven,  ///< From a file, as the paper does with an optical system.
+  kFixed,  ///< Its joint stays at its place in the skeleton and turns as the skeleton says.
+  kFree    ///< Free: gravity gives inclination, place and heading drift with a covariance that says so.
 };
 
 /// Standard deviations, SI and radians. 0 for a constant: it is not estimated.

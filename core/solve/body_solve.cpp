@@ -79,10 +79,9 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
   p.use_accelerometers = uses('A');
   p.use_gyroscopes = uses('G');
   p.use_ranges = uses('D');
-  p.root = settings.root == "fixed"      ? estimate::RootMode::kFixed
-           : settings.root == "contacts" ? estimate::RootMode::kContacts
-           : settings.root == "free"     ? estimate::RootMode::kFree
-                                         : estimate::RootMode::kGiven;
+  p.root = settings.root == "fixed"  ? estimate::RootMode::kFixed
+           : settings.root == "free" ? estimate::RootMode::kFree
+                                     : estimate::RootMode::kGiven;
   if (model.skeleton.segments.size() == 1) {
     // A single thing in somebody's hand: where its sensor sits on it is all that is known, and it stays in reach.
     p.mount_rotation = p.mount_place = p.bone_scale = 0.0;

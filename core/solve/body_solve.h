@@ -13,7 +13,7 @@ struct BodySolveSettings {
   std::string name = "default";
   std::string sensors = "AGD";  ///< Any of A, G and D.
   bool smooth = false;          ///< Both directions.
-  std::string root = "free";    ///< "truth", "fixed", "contacts", "free", or a CSV file with the root's path.
+  std::string root = "free";    ///< "truth", "fixed", "free", or a CSV file with the root's path.
   double rate_hz = 120.0;       ///< Poses a second of the clip at most.
 };
 
