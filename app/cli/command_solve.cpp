@@ -90,11 +90,11 @@ void add_solve(CLI::App& app, Console& console) {
     if (take.info.kind == "log" && options->method == "inclination") {
       console.fail({"holds readings of other sensors", options->take, "choose --method filter or smoother"});
     }
-    if (take.info.kind != "log" && options->method != "inclination") {
-      console.fail(take.info.kind == "driver-box"
-                       ? Error{"is a recording of a driver box, which can be decoded and evaluated, not solved yet",
-                               options->take, "see `limbwave evaluate`"}
-                       : Error{"is a recording of a sound card", options->take, "choose --method inclination"});
+    if (take.info.kind == "driver-box" && options->method == "inclination") {
+      console.fail({"is a recording of a driver box", options->take, "choose --method filter or smoother"});
+    }
+    if (take.info.kind == "line-in" && options->method != "inclination") {
+      console.fail({"is a recording of a sound card", options->take, "choose --method inclination"});
     }
     const auto solved = [&] {
       if (options->method == "inclination") {
@@ -103,7 +103,7 @@ void add_solve(CLI::App& app, Console& console) {
       solve::BodySolveSettings body{settings.name, options->sensors, options->method == "smoother", options->root};
       body.sensors = command->count("--sensors") > 0 ? options->sensors : "AGD";
       body.root = command->count("--root") > 0 ? options->root : "free";
-      return solve::solve_log(take, body, console.progress());
+      return solve::solve_sensors(take, body, console.progress());
     };
     const solve::Solve solve = console.check(solved());
     console.check(solve::save_solve(take, solve));

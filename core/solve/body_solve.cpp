@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "base/files.h"
 #include "base/json_reader.h"
 #include "base/units.h"
+#include "solve/driver_box.h"
 #include "take/body_log.h"
 
 namespace limbwave::solve {
@@ -158,13 +160,57 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   return solve;
 }
 
-Result<Solve> solve_log(const take::Take& take, const BodySolveSettings& settings, const Progress& progress) {
-  Result<estimate::BodyReadings> readings =
-      take::read_logs_of(take, estimate::body_model(take.info.rig, take.info.skeleton));
+Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
+                                                   const Progress& progress) {
+  const body::Rig& rig = take.info.rig;
+  std::vector<int> board_of_chip;
+  for (const body::Gyroscope& gyroscope : rig.gyroscopes) {
+    board_of_chip.push_back(model.find_board(gyroscope.name));
+  }
+  std::vector<int> board_of_microphone;
+  for (const body::Microphone& microphone : rig.microphones) {
+    board_of_microphone.push_back(model.find_board(microphone.name));
+  }
+  std::vector<int> source_of;
+  for (const body::Source& source : rig.sources) {
+    source_of.push_back(model.find_source(source.name));
+  }
+  estimate::BodyReadings readings;
+  const auto keep = [&](std::span<const decode::RangeReading> ranges,
+                        std::span<const decode::InertialReading> inertial) -> Status {
+    for (const decode::RangeReading& heard : ranges) {
+      if (heard.verdict == decode::RangeVerdict::kAccepted) {
+        readings.ranges.push_back({heard.emission_time.value, source_of.at(static_cast<std::size_t>(heard.source)),
+                                   board_of_microphone.at(static_cast<std::size_t>(heard.receiver)), heard.range,
+                                   heard.confidence()});
+      }
+    }
+    for (const decode::InertialReading& word : inertial) {
+      if (word.valid) {
+        readings.inertial.push_back(
+            {word.time.value, board_of_chip.at(static_cast<std::size_t>(word.board)), word.w_WS_S, word.f_S});
+      }
+    }
+    return {};
+  };
+  const Result<DriverBoxReport> decoded = decode_driver_box(take, {}, keep, progress);
+  if (!decoded) {
+    return decoded.error();
+  }
+  std::ranges::stable_sort(readings.inertial, {}, &estimate::InertialReading::time_s);
+  std::ranges::stable_sort(readings.ranges, {}, &estimate::RangeReading::time_s);
+  return readings;
+}
+
+Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& settings, const Progress& progress) {
+  const estimate::BodyModel model = estimate::body_model(take.info.rig, take.info.skeleton);
+  Result<estimate::BodyReadings> readings = take.info.kind == "driver-box"
+                                                ? driver_box_readings(take, model, progress.part(0.0, 0.5))
+                                                : take::read_logs_of(take, model);
   if (!readings) {
     return readings.error();
   }
-  return solve_body(take, *std::move(readings), settings, progress);
+  return solve_body(take, *std::move(readings), settings, progress.part(0.5, 1.0));
 }
 
 }  // namespace limbwave::solve

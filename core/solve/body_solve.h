@@ -23,7 +23,12 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
 /// Solves readings on the take's skeleton. Fails when nothing of the chosen sensors is there, or the root is not.
 Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings, const BodySolveSettings& settings,
                          const Progress& progress);
-/// The same for a take of kind "log".
-Result<Solve> solve_log(const take::Take& take, const BodySolveSettings& settings, const Progress& progress);
+/// The same for a take of kind "log", or of kind "driver-box", which is decoded first.
+Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& settings, const Progress& progress);
+
+/// What a driver box heard, for the filter: words whose values are known, and ranges that were accepted. Memory grows
+/// with the take: about 0.2 kB a word. `progress` is asked to 1.
+Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
+                                                   const Progress& progress);
 
 }  // namespace limbwave::solve
