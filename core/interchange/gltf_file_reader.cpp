@@ -212,13 +212,11 @@ void put_on_frames(motion::Clip& clip) {
   }
 }
 
-}  // namespace
-
-Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::string& place,
-                                            const std::filesystem::path& folder, Diagnostics* diagnostics) {
+// `size`: of the file, bytes.
+Result<std::vector<motion::Clip>> clips_of(const Result<tinygltf::Model>& model, std::size_t size,
+                                           const std::string& place, Diagnostics* diagnostics) {
   Diagnostics unread;
   Diagnostics& findings = diagnostics != nullptr ? *diagnostics : unread;
-  const Result<tinygltf::Model> model = parse_gltf(bytes, place, folder);
   if (!model) {
     return model.error();
   }
@@ -234,7 +232,7 @@ Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::s
                  "export only what is to be animated"};
   }
   std::vector<motion::Clip> clips;
-  AnimationReader animations(*model, place, findings, kMostKeys + bytes.size());
+  AnimationReader animations(*model, place, findings, kMostKeys + size);
   for (const GltfTree& tree : *trees) {
     motion::Clip at_rest;
     at_rest.skeleton = tree.skeleton;
@@ -264,13 +262,24 @@ Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::s
   return clips;
 }
 
+}  // namespace
+
+Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::string& place,
+                                            const std::filesystem::path& folder, Diagnostics* diagnostics) {
+  return clips_of(parse_gltf(bytes, place, folder), bytes.size(), place, diagnostics);
+}
+
 Result<std::vector<motion::Clip>> load_gltf(const std::filesystem::path& path, Diagnostics* diagnostics) {
-  const Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
+  Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
   if (!bytes) {
     return bytes.error();
   }
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  return read_gltf(*bytes, path.string(), folder, diagnostics);
+  const Result<tinygltf::Model> model = parse_gltf(*bytes, path.string(), folder);
+  // The model holds it all once more, and the keys will.
+  const std::size_t size = bytes->size();
+  *bytes = std::string();
+  return clips_of(model, size, path.string(), diagnostics);
 }
 
 }  // namespace limbwave::interchange
