@@ -7,18 +7,13 @@
 #include <cmath>
 #include <utility>
 
-#include "base/files.h"
-#include "interchange/bvh_playback.h"
-#include "interchange/bvh_reader.h"
 #include "interchange/bvh_writer.h"
 #include "interchange/clip_check.h"
 #include "interchange/csv_poses.h"
-#include "interchange/fbx_playback.h"
-#include "interchange/fbx_reader.h"
+#include "interchange/export_check.h"
 #include "interchange/fbx_writer.h"
 #include "interchange/frame_rate.h"
 #include "interchange/gltf_file.h"
-#include "interchange/read_back.h"
 #include "motion/key_reduction.h"
 #include "motion/mannequin.h"
 #include "motion/transforms.h"
@@ -52,18 +47,22 @@ bool is_captured(const motion::Track<T>& track, double fps) {
 }
 
 // At 50 frames a second from 60, straight lines between samples cut the corners of fast movements by millimetres.
+// Track after track, each in the place of the old one: whole clips may be hours long.
 Clip resampled_smoothly(Clip clip, double fps) {
-  const auto smooth = [&](auto& track) {
+  const std::size_t frames = motion::frame_count(clip.duration(), fps);
+  const auto resample = [&](auto& track) {
     if (is_captured(track, clip.frame_rate_hz)) {
       track.interpolation = motion::Interpolation::kCubic;
     }
+    track = motion::resampled(track, frames, fps);
   };
   for (motion::JointTracks& joint : clip.joints) {
-    smooth(joint.rotation);
-    smooth(joint.position);
+    resample(joint.rotation);
+    resample(joint.position);
   }
-  smooth(clip.root_position);
-  return motion::resampled(clip, fps);
+  resample(clip.root_position);
+  clip.frame_rate_hz = fps;
+  return clip;
 }
 
 // Blender takes a joint that lies where its parent's bone ends (on its own y, as far away as its children are on
@@ -166,76 +165,6 @@ Status write(const std::vector<Clip>& clips, FileFormat format, const Preset& pr
   }
 }
 
-Error unreadable(const Error& error, const fs::path& path) {
-  return {"the written file cannot be read back: " + error.message, path.string(),
-          "check that the disk has room, and export again"};
-}
-
-// Bones and meshes are read as any program would; the movement, which may be hours long, as it is played.
-Result<ReadBack> check_fbx(const std::vector<JointPaths>& meant, const fs::path& path, const Progress& progress) {
-  const Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
-  if (!bytes) {
-    return unreadable(bytes.error(), path);
-  }
-  FbxReadOptions still;
-  still.animation = false;
-  if (const auto read = read_fbx(*bytes, path.string(), still); !read) {
-    return unreadable(read.error(), path);
-  }
-  Result<FbxPlayback> playback = FbxPlayback::open(*bytes, path.string());
-  if (!playback) {
-    return unreadable(playback.error(), path);
-  }
-  std::vector<WrittenActor> actors;
-  for (std::size_t a = 0; a < playback->actors(); ++a) {
-    actors.push_back({playback->parents(a), [&playback, a](double time_s, std::vector<Eigen::Vector3d>& p_W) {
-                        return playback->places(a, time_s, p_W);
-                      }});
-  }
-  return compare_paths(meant, actors, kExportTolerance, path.string(), progress);
-}
-
-Result<ReadBack> check_bvh(const std::vector<JointPaths>& meant, const Preset& preset, const fs::path& path,
-                           const Progress& progress) {
-  BvhReadOptions options;
-  options.metres_per_unit = preset.unit == FileUnit::kMetres ? 1.0 : kMetresPerCentimetre;
-  Result<BvhPlayback> playback = BvhPlayback::open(path, options);
-  if (!playback) {
-    return unreadable(playback.error(), path);
-  }
-  WrittenActor actor;
-  for (const body::Segment& segment : playback->skeleton().segments) {
-    actor.parents.push_back(segment.parent);
-  }
-  actor.places = [&playback](double time_s, std::vector<Eigen::Vector3d>& p_W) {
-    return playback->places(time_s, p_W);
-  };
-  return compare_paths(meant, {actor}, kExportTolerance, path.string(), progress);
-}
-
-Result<ReadBack> check(std::vector<Clip> meant, FileFormat format, const Preset& preset, const fs::path& path,
-                       const Progress& progress) {
-  if (format == FileFormat::kCsv) {
-    return compare_csv(meant.front(), meant.front().frame_rate_hz, path, kExportTolerance, progress);
-  }
-  // What is compared takes a third of the memory; the file needs the rest.
-  std::vector<JointPaths> paths;
-  for (Clip& clip : meant) {
-    paths.push_back(joint_paths(clip));
-    clip = {};
-  }
-  const Progress comparing = progress.part(0.5, 1.0);
-  if (format == FileFormat::kFbx) {
-    return check_fbx(paths, path, comparing);
-  }
-  if (format == FileFormat::kBvh) {
-    return check_bvh(paths, preset, path, comparing);
-  }
-  const Result<std::vector<Clip>> read = load_gltf(path);
-  return read ? compare_clips(paths, *read, true, kExportTolerance, path.string(), comparing)
-              : unreadable(read.error(), path);
-}
-
 // The file is made and checked beside `path` and appears there when all is right.
 Result<ExportReport> write_checked(std::vector<Clip> meant, FileFormat format, const fs::path& path,
                                    const ExportOptions& options, ExportReport report, const Progress& progress) {
@@ -252,7 +181,7 @@ Result<ExportReport> write_checked(std::vector<Clip> meant, FileFormat format, c
   if (const Status written = write(meant, format, preset, part, progress.part(0.2, 0.6)); !written) {
     return give_up(written.error());
   }
-  const Result<ReadBack> same = check(std::move(meant), format, preset, part, progress.part(0.6, 1.0));
+  const Result<ReadBack> same = check_export(std::move(meant), format, preset.unit, part, progress.part(0.6, 1.0));
   if (!same) {
     return give_up(same.error());
   }
