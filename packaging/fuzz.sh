@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Fuzzes the readers of BVH, FBX and glTF under AddressSanitizer and UndefinedBehaviorSanitizer. What it finds lies in
+# Fuzzes the readers of BVH, FBX and glTF, the driver box's protocol and its words under AddressSanitizer and UndefinedBehaviorSanitizer. What it finds lies in
 # build/fuzz/findings; new inputs that reach new code are kept in build/fuzz/corpus for the next run.
-# Usage: packaging/fuzz.sh [MINUTES] [bvh|fbx|gltf...]   (default 10 minutes each, all)
+# Usage: packaging/fuzz.sh [MINUTES] [bvh|fbx|gltf|driver_box|words...]   (default 10 minutes each, all)
 set -euo pipefail
 top=$(cd "$(dirname "$0")/.." && pwd)
 cd "$top"
 minutes=${1:-10}
 shift || true
 targets=("$@")
-[[ ${#targets[@]} -eq 0 ]] && targets=(bvh fbx gltf)
+[[ ${#targets[@]} -eq 0 ]] && targets=(bvh fbx gltf driver_box words)
 packaging/install_dependencies.sh build run test fuzz
 mkdir -p build/fuzz/findings
 cmake --preset fuzz >build/fuzz/configure.log 2>&1 || { cat build/fuzz/configure.log; exit 1; }

@@ -1,29 +1,114 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/units.h"
 #include "commands.h"
+#include "evaluate/driver_box_evaluation.h"
 #include "evaluate/evaluate.h"
+#include "solve/driver_box.h"
 #include "solve/solve.h"
 #include "take/take.h"
 
 namespace limbwave::cli {
+namespace {
+
+constexpr std::array kMethods = {"paper", "envelope", "carrier"};
+
+// Ranges and words of a driver box, and the solve where there is one.
+void evaluate_driver_box(const take::Take& take, const std::string& method, const std::string& solve_name,
+                         bool solve_asked, const std::string* json_file, Console& console) {
+  const std::filesystem::path truth_file = take.folder / "truth.json";
+  const evaluate::DriverBoxTruth truth = console.check(evaluate::load_driver_box_truth(truth_file));
+  const body::DriverBoxSignal& box = take.info.rig.driver_box.value();
+  evaluate::DriverBoxComparison comparison(truth, take.info.format.rate.hz,
+                                           solve::ranging_calibration(take.info).speed_of_sound / box.pulse_hz,
+                                           box.gyroscope_range_rad_s, box.accelerometer_range_g * kStandardGravity);
+  decode::DriverBoxParameters parameters;
+  parameters.ranging.method =
+      static_cast<decode::RangingMethod>(std::find(kMethods.begin(), kMethods.end(), method) - kMethods.begin());
+  const solve::DriverBoxReport report = console.check(solve::decode_driver_box(
+      take, parameters,
+      [&](std::span<const decode::RangeReading> ranges, std::span<const decode::InertialReading> inertial) -> Status {
+        for (const decode::RangeReading& reading : ranges) {
+          comparison.add(reading);
+        }
+        for (const decode::InertialReading& reading : inertial) {
+          comparison.add(reading);
+        }
+        return {};
+      },
+      console.progress()));
+  console.end_progress();
+  std::vector<decode::InertialCounters> counters;
+  for (const decode::WordStatus& status : report.words) {
+    counters.push_back(status.counters);
+  }
+  comparison.set_counters(counters);
+  const evaluate::RangeStatistics ranges = comparison.ranges();
+  const evaluate::WordStatistics& words = comparison.words();
+  const double seconds = static_cast<double>(take.info.frames) / take.info.format.rate.hz;
+  nlohmann::json json = nlohmann::json::object();
+  const std::vector<std::string> solves = solve::list_solves(take);
+  if (solve_asked || std::find(solves.begin(), solves.end(), solve_name) != solves.end()) {
+    const solve::Solve solve = console.check(solve::load_solve(take, solve_name));
+    const double start = take.info.format.rate.seconds(take.info.capture().first).value;
+    evaluate::Evaluation evaluation =
+        console.check(evaluate::evaluate(solve.clip, start, console.check(evaluate::load_truth(truth_file))));
+    evaluation.solve_seconds = solve.report.solve_seconds;
+    json = evaluate::evaluation_to_json(evaluation);
+  }
+  json["ranges"] = evaluate::ranges_to_json(ranges);
+  json["words"] = evaluate::words_to_json(words);
+  json["seconds"]["take"] = seconds;
+  json["seconds"]["decode"] = report.seconds;
+  if (json_file != nullptr) {
+    console.print_json(json, *json_file);
+    return;
+  }
+  console.print(fmt::format(
+      "ranges by {}: {} of {} accepted, {:.1f} % of clear pairs", method, ranges.accepted, ranges.count,
+      100.0 * static_cast<double>(ranges.clear_accepted) / std::max<double>(1.0, static_cast<double>(ranges.clear))));
+  console.print(fmt::format("  error median {:.3f} mm, mean {:.3f} mm, sd {:.3f} mm, 95 % {:.3f} mm, largest {:.1f} mm",
+                            ranges.median_mm, ranges.mean_mm, ranges.sd_mm, ranges.p95_mm, ranges.max_mm));
+  console.print(fmt::format("  whole-cycle slips {:.2e}, off by more than 20 mm {:.2e}", ranges.slips, ranges.wrong));
+  console.print(fmt::format("  occluded pairs missed {:.2f} %, clear pairs flagged {:.2f} %",
+                            100.0 * ranges.missed_occlusions, 100.0 * ranges.false_occlusions));
+  console.print(fmt::format(
+      "words: {} frames, {} lost ({:.1e}), {} bits corrected, {} readings wrong, lock within {:.0f} ms", words.frames,
+      words.lost, static_cast<double>(words.lost) / std::max<double>(1.0, static_cast<double>(words.frames)),
+      words.bit_errors, words.wrong, 1e3 * words.latest_lock_s));
+  console.print(fmt::format("decoded {:.1f} s in {:.2f} s, {:.1f} times real time", seconds, report.seconds,
+                            seconds / report.seconds));
+}
+
+}  // namespace
 
 void add_evaluate(CLI::App& app, Console& console) {
   struct Options {
-    std::string take, solve = "default", truth, json;
+    std::string take, solve = "default", truth, json, method = "carrier";
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("evaluate", "Compare a solve with the truth");
   command->add_option("TAKE", options->take, "Folder of the take")->required();
   command->add_option("--solve", options->solve, "Name of the solve")->capture_default_str();
   command->add_option("--truth", options->truth, "Truth as CSV; otherwise the take's truth.json");
+  command->add_option("--ranging", options->method, "How ranges of a driver box are decoded: paper, envelope, carrier")
+      ->check(CLI::IsMember({"paper", "envelope", "carrier"}))
+      ->capture_default_str();
   add_json_option(*command, options->json, "Write the figures as JSON");
   command->footer("Example: limbwave evaluate reach.take --json errors.json");
   command->callback([options, command, &console] {
     const take::Take take = console.check(take::open_take(options->take));
+    if (take.info.kind == "driver-box" && options->truth.empty()) {
+      evaluate_driver_box(take, options->method, options->solve, command->count("--solve") > 0,
+                          command->count("--json") > 0 ? &options->json : nullptr, console);
+      return;
+    }
     const solve::Solve solve = console.check(solve::load_solve(take, options->solve));
     const evaluate::Truth truth =
         console.check(options->truth.empty() ? evaluate::load_truth(std::filesystem::path(options->take) / "truth.json")

@@ -6,20 +6,24 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "acquire/driver_box.h"
 #include "acquire/sound_card.h"
 #include "commands.h"
 #include "simulate/simulate.h"
 #include "solve/live_session.h"
 #include "solve/take_calibration.h"
 #include "take/board_book.h"
+#include "take/driver_box_recording.h"
 
 namespace limbwave::cli {
 namespace {
 
 constexpr std::string_view kSimulator = "simulator:";
+constexpr const char* kLineInRig = "line-in-arm";
+constexpr const char* kBoxRig = "driver-box-body";
 
 struct Options {
-  std::string take, device = "default", rig = "line-in-arm", subject, type = "int16", errors = "paper";
+  std::string take, device = "default", driver_box, rig, subject, type = "int16", errors = "paper";
   double rate = 48000.0, seconds = 0.0;
   std::string json;
 };
@@ -35,7 +39,7 @@ std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console
   if (options.device.starts_with(kSimulator)) {
     simulate::SimulateSettings settings;
     settings.motion = options.device.substr(kSimulator.size());
-    settings.rig = options.rig;
+    settings.rig = options.rig.empty() ? kLineInRig : options.rig;
     settings.errors_name = options.errors;
     settings.errors = console.check(simulate::load_errors(options.errors));
     settings.prologue = false;  // like a device: what it shows begins at once
@@ -47,7 +51,7 @@ std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console
 
 void record(const Options& options, bool as_json, Console& console) {
   solve::LiveSettings settings;
-  settings.rig = console.check(body::load_rig(options.rig));
+  settings.rig = console.check(body::load_rig(options.rig.empty() ? kLineInRig : options.rig));
   settings.skeleton = console.check(body::load_skeleton(settings.rig.skeleton));
   // Calibrations are kept per physical sensor: which ones these are depends on the device.
   settings.rig = options.device.starts_with(kSimulator)
@@ -111,15 +115,54 @@ void record(const Options& options, bool as_json, Console& console) {
   }
 }
 
+void record_box(const Options& options, bool as_json, Console& console) {
+  const body::Rig rig = console.check(body::load_rig(options.rig.empty() ? kBoxRig : options.rig));
+  const body::Skeleton skeleton = console.check(body::load_skeleton(rig.skeleton));
+  const auto box = console.check(acquire::DriverBox::open(options.driver_box));
+  const Progress bar = console.progress();
+  const take::Take take = console.check(take::record_driver_box(
+      options.take, *box, rig, skeleton, options.subject, [&](const take::DriverBoxProgress& now) {
+        (void)bar.report(
+            options.seconds > 0.0 ? now.seconds / options.seconds : 0.0,
+            fmt::format("{:.1f} s, disk lasts {:.0f} min, {}", now.seconds, now.disk_left_s / 60.0,
+                        now.connected ? fmt::format("{} gaps", now.counters.gaps) : "waiting for the box"));
+        return !Console::interrupted() && (options.seconds <= 0.0 || now.seconds < options.seconds);
+      }));
+  console.end_progress();
+  const acquire::BoxCounters counters = box->counters();
+  const double seconds = static_cast<double>(take.info.frames) / take.info.format.rate.hz;
+  if (as_json) {
+    console.print_json({{"take", options.take},
+                        {"seconds", seconds},
+                        {"frames", take.info.frames},
+                        {"lost_frames", counters.lost_frames},
+                        {"gaps", counters.gaps},
+                        {"duplicates", counters.duplicates},
+                        {"reordered", counters.reordered},
+                        {"bad_packets", counters.bad_packets},
+                        {"stalls", counters.stalls},
+                        {"reconnects", counters.reconnects},
+                        {"battery_volts", box->status().battery_volts}},
+                       options.json);
+    return;
+  }
+  console.print(fmt::format("{}: {:.2f} s recorded; {} samples lost in {} gaps, {} reconnections, {} stalls",
+                            options.take, seconds, counters.lost_frames, counters.gaps, counters.reconnects,
+                            counters.stalls));
+}
+
 }  // namespace
 
 void add_record(CLI::App& app, Console& console) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("record", "Record a take from a sound card or the simulator");
+  CLI::App* command = app.add_subcommand("record", "Record a take from a sound card, a driver box or the simulator");
   command->add_option("TAKE", options->take, "Folder to make")->required();
   command->add_option("--device", options->device, "As `limbwave devices` lists it, \"default\", or simulator:MOTION")
       ->capture_default_str();
-  command->add_option("--rig", options->rig, "Rig: a name or a file")->capture_default_str();
+  command->add_option("--driver-box", options->driver_box, "Serial port of a driver box, instead of a sound card")
+      ->excludes("--device");
+  command->add_option("--rig", options->rig,
+                      "Rig: a name or a file; line-in-arm or, with a driver box, driver-box-body");
   command->add_option("--subject", options->subject, "Who wears it");
   command->add_option("--seconds", options->seconds, "Stop after this time; 0: at Ctrl-C")
       ->check(CLI::Range(0.0, 864000.0))
@@ -133,7 +176,10 @@ void add_record(CLI::App& app, Console& console) {
   command->add_option("--errors", options->errors, "Error profile of the simulator")->capture_default_str();
   command->footer("Example: limbwave record walk.take --device default --seconds 60");
   add_json_option(*command, options->json, "Write what was recorded as JSON");
-  command->callback([options, command, &console] { record(*options, command->count("--json") > 0, console); });
+  command->callback([options, command, &console] {
+    const bool as_json = command->count("--json") > 0;
+    options->driver_box.empty() ? record(*options, as_json, console) : record_box(*options, as_json, console);
+  });
 }
 
 }  // namespace limbwave::cli

@@ -45,7 +45,11 @@ void add_simulate(CLI::App& app, Console& console) {
   command->callback([options, &console] {
     simulate::SimulateSettings settings = options->settings;
     settings.errors_name = options->errors;
-    settings.errors = console.check(simulate::load_errors(options->errors));
+    if (console.check(body::load_rig(settings.rig)).driver_box) {
+      settings.driver_box_errors = console.check(simulate::load_driver_box_errors(options->errors));
+    } else {
+      settings.errors = console.check(simulate::load_errors(options->errors));
+    }
     settings.prologue = !options->no_prologue;
     settings.format.rate = SampleRate{options->rate};
     for (const auto type : {acquire::SampleType::kInt16, acquire::SampleType::kInt24, acquire::SampleType::kInt32,

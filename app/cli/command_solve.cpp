@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "solve/body_solve.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
 #include "take/take.h"
@@ -21,14 +22,21 @@ void add_solve(CLI::App& app, Console& console) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("solve", "Turn the signals of a take into a moving skeleton");
   command->add_option("TAKE", options->take, "Folder of the take")->required();
-  command->add_option("--sensors", options->sensors, "What to use: A = accelerometers")
-      ->check(CLI::IsMember({"A"}))
+  command->add_option("--sensors", options->sensors, "What to use: A = accelerometers, G = gyroscopes, D = ranges")
+      ->check(CLI::IsMember({"A", "G", "D", "AG", "AD", "GD", "AGD"}))
       ->capture_default_str();
-  command->add_option("--method", options->method, "inclination: from the direction of gravity")
-      ->check(CLI::IsMember({"inclination"}))
+  command
+      ->add_option(
+          "--method", options->method,
+          "inclination: from the direction of gravity; filter: all sensors together on the whole skeleton; smoother: "
+          "the same from both sides in time")
+      ->check(CLI::IsMember({"inclination", "filter", "smoother"}))
       ->capture_default_str();
-  command->add_option("--root", options->root, "fixed: the root stays where it is")
-      ->check(CLI::IsMember({"fixed"}))
+  command
+      ->add_option(
+          "--root", options->root,
+          "fixed: the root stays where it is; free; contacts: free, with feet on the ground; truth: as simulated; or "
+          "a CSV file with its path")
       ->capture_default_str();
   command
       ->add_option(
@@ -72,7 +80,26 @@ void add_solve(CLI::App& app, Console& console) {
       settings.line_in.coupling_hz = options->coupling;
     }
     const take::Take take = console.check(take::open_take(options->take));
-    const solve::Solve solve = console.check(solve::solve_take(take, settings, console.progress()));
+    if (options->method == "inclination" && (options->sensors != "A" || options->root != "fixed")) {
+      console.fail({"uses accelerometers on a root that is fixed", "--method inclination",
+                    "choose --method filter or smoother for other sensors and roots"});
+    }
+    if (take.info.kind == "log" && options->method == "inclination") {
+      console.fail({"holds readings of other sensors", options->take, "choose --method filter or smoother"});
+    }
+    if (take.info.kind != "log" && options->method != "inclination") {
+      console.fail({"is a recording of a sound card", options->take, "choose --method inclination"});
+    }
+    const auto solved = [&] {
+      if (options->method == "inclination") {
+        return solve::solve_take(take, settings, console.progress());
+      }
+      solve::BodySolveSettings body{settings.name, options->sensors, options->method == "smoother", options->root};
+      body.sensors = command->count("--sensors") > 0 ? options->sensors : "AGD";
+      body.root = command->count("--root") > 0 ? options->root : "free";
+      return solve::solve_log(take, body, console.progress());
+    };
+    const solve::Solve solve = console.check(solved());
     console.check(solve::save_solve(take, solve));
     if (command->count("--json") > 0) {
       console.print_json(solve::report_to_json(solve), options->json);

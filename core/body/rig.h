@@ -48,15 +48,24 @@ struct Source {
   Vector3d normal_L = Vector3d::UnitZ();  ///< Where it radiates to, unit length.
 };
 
+std::vector<double> default_radiation();  ///< Of a small open piezo transducer.
+
 /// The driver box and its boards (signals.md §2). Wire w carries microphone w and, as words, gyroscope w and
 /// accelerometer w; the sources fire in their order, one a slot.
 struct DriverBoxSignal {
-  double rate_hz = 140000.0;                   ///< Samples a second of every wire.
-  int bits = 16;                               ///< Of a sample, 12 to 16; stored in the upper ones of an int16.
-  int slot_samples = 1120;                     ///< From one pulse to the next.
-  double pulse_hz = 40000.0;                   ///< Carrier.
-  int pulse_cycles = 10;                       ///< Length of the burst that drives a source.
-  double transducer_q = 20.0;                  ///< Quality of a source's resonance at the carrier.
+  double rate_hz = 140000.0;                 ///< Samples a second of every wire.
+  int bits = 16;                             ///< Of a sample, 12 to 16; stored in the upper ones of an int16.
+  int slot_samples = 1120;                   ///< From one pulse to the next.
+  double pulse_hz = 40000.0;                 ///< Carrier.
+  int pulse_cycles = 10;                     ///< Length of the burst that drives a source.
+  double transducer_q = 20.0;                ///< Quality of a source's resonance at the carrier.
+  double microphone_bandwidth_hz = 12000.0;  ///< Half-power half width of a microphone's response about the carrier.
+  /// Amplitude that a source reaches on its axis, as a fraction of full scale times metres, before absorption.
+  double source_level_m = 0.08;
+  double absorption_db_m = 1.3;  ///< Of air at the carrier, dB per metre.
+  /// Amplitude at 0, 10, ... 180 degrees off a source's normal, relative to the axis.
+  std::vector<double> radiation = default_radiation();
+  double word_amplitude = 0.03;                ///< Of the words, fraction of full scale.
   double word_rate_hz = 140.0;                 ///< Inertial readings a second.
   double word_clock_tolerance = 200e-6;        ///< How far a board's clock may be off.
   double gyroscope_range_rad_s = 5.235987756;  ///< Of a word's full scale (300 deg/s).

@@ -76,8 +76,9 @@ int read_count(const JsonReader& reader, const char* key, int otherwise, int min
 }
 
 DriverBoxSignal read_driver_box(const JsonReader& reader) {
-  reader.allow({"rate_hz", "bits", "slot_samples", "pulse_hz", "pulse_cycles", "transducer_q", "word_rate_hz",
-                "word_clock_tolerance_ppm", "gyroscope_range_deg_s", "accelerometer_range_g"});
+  reader.allow({"rate_hz", "bits", "slot_samples", "pulse_hz", "pulse_cycles", "transducer_q",
+                "microphone_bandwidth_hz", "source_level_m", "absorption_db_m", "radiation", "word_amplitude",
+                "word_rate_hz", "word_clock_tolerance_ppm", "gyroscope_range_deg_s", "accelerometer_range_g"});
   DriverBoxSignal box;
   box.rate_hz = reader.number_or("rate_hz", box.rate_hz, 96000.0, 768000.0);
   box.bits = read_count(reader, "bits", box.bits, 12, 16);
@@ -85,6 +86,18 @@ DriverBoxSignal read_driver_box(const JsonReader& reader) {
   box.pulse_hz = reader.number_or("pulse_hz", box.pulse_hz, 20000.0, 200000.0);
   box.pulse_cycles = read_count(reader, "pulse_cycles", box.pulse_cycles, 1, 100);
   box.transducer_q = reader.number_or("transducer_q", box.transducer_q, 0.5, 200.0);
+  box.microphone_bandwidth_hz = reader.number_or("microphone_bandwidth_hz", box.microphone_bandwidth_hz, 1000.0, 1e5);
+  box.source_level_m = reader.number_or("source_level_m", box.source_level_m, 1e-5, 10.0);
+  box.absorption_db_m = reader.number_or("absorption_db_m", box.absorption_db_m, 0.0, 20.0);
+  if (reader.has("radiation")) {
+    box.radiation = reader.at("radiation").numbers(19);
+    if (std::any_of(box.radiation.begin(), box.radiation.end(),
+                    [](double gain) { return !(gain > 0.0 && gain <= 2.0); })) {
+      reader.at("radiation")
+          .fail("has an entry that is not above 0 and up to 2", "amplitudes at 0, 10, ... 180 degrees");
+    }
+  }
+  box.word_amplitude = reader.number_or("word_amplitude", box.word_amplitude, 1e-4, 0.5);
   box.word_rate_hz = reader.number_or("word_rate_hz", box.word_rate_hz, 20.0, 1000.0);
   box.word_clock_tolerance =
       reader.number_or("word_clock_tolerance_ppm", box.word_clock_tolerance / kPpm, 1.0, 2000.0) * kPpm;
@@ -152,6 +165,11 @@ void check_list(const std::vector<Sensor>& list, const char* key, const Rig& rig
 
 }  // namespace
 
+std::vector<double> default_radiation() {
+  return {1.0,  0.98, 0.92, 0.82, 0.69, 0.54, 0.38, 0.23, 0.11, 0.04,
+          0.03, 0.02, 0.02, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01};
+}
+
 void read_sensors(const JsonReader& reader, Rig& rig) {
   read_list(reader, "accelerometers", "accelerometer", rig.accelerometers, read_mounted<Accelerometer>);
   read_list(reader, "gyroscopes", "gyroscope", rig.gyroscopes, read_mounted<Gyroscope>);
@@ -193,6 +211,11 @@ void write_sensors(const Rig& rig, nlohmann::json& json) {
                           {"pulse_hz", box.pulse_hz},
                           {"pulse_cycles", box.pulse_cycles},
                           {"transducer_q", box.transducer_q},
+                          {"microphone_bandwidth_hz", box.microphone_bandwidth_hz},
+                          {"source_level_m", box.source_level_m},
+                          {"absorption_db_m", box.absorption_db_m},
+                          {"radiation", box.radiation},
+                          {"word_amplitude", box.word_amplitude},
                           {"word_rate_hz", box.word_rate_hz},
                           {"word_clock_tolerance_ppm", rounded(box.word_clock_tolerance / kPpm)},
                           {"gyroscope_range_deg_s", rounded(degrees(box.gyroscope_range_rad_s))},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "base/time.h"
@@ -39,17 +40,21 @@ struct RangeReading {
   double variance = 0.0;      ///< Of `range`, m²; of what the verdict says it is. Infinite where there is no arrival.
   double envelope_range = 0;  ///< By the envelope alone, metres; never off by whole cycles. NaN: no arrival.
   double envelope_variance = 0.0;
-  double phase_range = 0.0;  ///< By the carrier, metres modulo a wavelength, 0 <= phase_range < wavelength.
-  double snr_db = 0.0;       ///< In-band peak of the arrival over the noise, power.
+  double phase_range = 0.0;        ///< By the carrier, metres modulo a wavelength, 0 <= phase_range < wavelength.
+  double expected = 0.0;           ///< What all earlier ranges to this microphone let expect, metres; NaN: nothing yet.
+  double expected_variance = 0.0;  ///< Of that, m².
+  double snr_db = 0.0;             ///< In-band peak of the arrival over the noise, power.
   RangeFactors factors;
   RangeVerdict verdict = RangeVerdict::kNothingHeard;
   [[nodiscard]] double confidence() const { return factors.product(); }
 };
 
-/// What a filter expects a range to be, to resolve whole cycles with: variance in m², infinite for "don't know".
+/// What a pose filter expects, to resolve whole cycles with.
 struct RangePrediction {
-  double range = 0.0;
-  double variance = 0.0;
+  double range = 0.0;     ///< Metres.
+  double variance = 0.0;  ///< m².
+  /// Of the microphone off the source's normal, radians, good to a few degrees; NaN: not known.
+  double angle = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace limbwave::decode

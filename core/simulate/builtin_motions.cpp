@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "geometry/so3.h"
+#include "simulate/body_motions.h"
 #include "simulate/motions.h"
 #include "simulate/random.h"
 
@@ -214,6 +215,12 @@ Result<std::shared_ptr<const BodyMotion>> make_builtin_motion(const std::string&
   }
   if (name == "still") {
     return still(skeleton, seed);
+  }
+  if (is_whole_body(skeleton)) {
+    if (auto motion = make_body_motion(name, skeleton)) {
+      return motion;
+    }
+    return Error{"is not a built-in motion of a whole body", "\"" + name + "\"", "see limbwave simulate --help"};
   }
   for (const char* segment : {"torso", "upper_arm", "forearm", "hand", "fingers"}) {
     if (skeleton.find(segment) < 0) {

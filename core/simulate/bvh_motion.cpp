@@ -12,6 +12,7 @@
 #include "geometry/so3.h"
 #include "interchange/bvh_reader.h"
 #include "motion/clip.h"
+#include "simulate/bvh_body.h"
 
 namespace limbwave::simulate {
 namespace {
@@ -125,8 +126,16 @@ std::vector<Link> link_segments(const body::Skeleton& skeleton, const body::Skel
   const std::vector<Quaterniond> identity(file.segments.size(), Quaterniond::Identity());
   const auto rest = body::poses_from_joints(file, identity, Vector3d::Zero());
   std::vector<Vector3d> bone(links.size(), Vector3d::Zero());  // direction at rest, world
+  const bool whole_body = skeleton.find("pelvis") >= 0 && skeleton.find("left_thigh") >= 0;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    if (const int usual = find_usual(file, skeleton.segments[i].name); usual >= 0) {
+    if (whole_body) {
+      links[i].joint = -1;
+      for (const std::string& name : usual_body_joints(skeleton.segments[i].name)) {
+        if (links[i].joint = find_plain(file, name); links[i].joint >= 0) {
+          break;
+        }
+      }
+    } else if (const int usual = find_usual(file, skeleton.segments[i].name); usual >= 0) {
       links[i].joint = usual;
     }
     for (std::size_t child = 0; child < file.segments.size() && links[i].joint >= 0; ++child) {
@@ -140,8 +149,19 @@ std::vector<Link> link_segments(const body::Skeleton& skeleton, const body::Skel
   const Vector3d right =
       right_at_rest(rest, file, upper_arm < 0 ? Vector3d::Zero() : bone[static_cast<std::size_t>(upper_arm)]);
   const Vector3d forward = Vector3d::UnitZ().cross(right);
+  const Quaterniond facing(Eigen::AngleAxisd(std::atan2(forward.y(), forward.x()), Vector3d::UnitZ()));
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (links[i].joint < 0) {
+      continue;
+    }
+    if (whole_body) {
+      // Standing as at rest; a limb that the file's figure holds elsewhere is taken there by the shortest way.
+      links[i].R_JL = facing * R_WL_rest[i];
+      if (follows_bone(skeleton.segments[i].name)) {
+        const auto parent = static_cast<std::size_t>(skeleton.segments[i].parent);
+        bone[i] = bone[i].isZero() ? bone[parent] : bone[i];
+        links[i].R_JL = geometry::shortest_arc(links[i].R_JL * Vector3d::UnitX(), bone[i], forward) * links[i].R_JL;
+      }
       continue;
     }
     if (skeleton.segments[i].parent < 0) {
@@ -213,10 +233,28 @@ std::size_t artificial_frames(const std::vector<std::vector<Quaterniond>>& R_PL)
   return count;
 }
 
+// The angles of a hinge or universal joint over time: smoothed as angles, it stays what its axes allow.
+struct AxisTrack {
+  Quaterniond R_PL_rest = Quaterniond::Identity();
+  Vector3d axis[2] = {Vector3d::Zero(), Vector3d::Zero()};
+  std::vector<double> angle[2];  // empty: none
+};
+
 class BvhMotion : public BodyMotion {
  public:
-  BvhMotion(std::vector<std::vector<Quaterniond>> R_PL, const std::vector<Vector3d>& p, double rate_hz)
+  /// `axes`: one per segment, or none at all.
+  BvhMotion(std::vector<std::vector<Quaterniond>> R_PL, const std::vector<Vector3d>& p, double rate_hz,
+            const std::vector<AxisTrack>& axes)
       : duration_(static_cast<double>(p.size() - 1) / rate_hz) {
+    for (const AxisTrack& track : axes) {
+      Axes& own = axes_.emplace_back();
+      own.rest = track.R_PL_rest;
+      for (std::size_t k = 0; k < 2 && !track.angle[k].empty(); ++k) {
+        own.axis[k] = track.axis[k];
+        own.angle[k] = SampledCurve(track.angle[k], rate_hz, kPassHz);
+        own.count = k + 1;
+      }
+    }
     for (auto& R : R_PL) {
       std::array<std::vector<double>, 4> parts;
       for (std::size_t i = 0; i < R.size(); ++i) {
@@ -246,6 +284,14 @@ class BvhMotion : public BodyMotion {
 
   [[nodiscard]] QuaternionJet rotation(int segment, double time_s) const override {
     QuaternionJet q;
+    if (!axes_.empty() && axes_[static_cast<std::size_t>(segment)].count > 0) {
+      const Axes& own = axes_[static_cast<std::size_t>(segment)];
+      q.v = own.rest;
+      for (std::size_t k = 0; k < own.count; ++k) {
+        q = q * simulate::rotation(own.axis[k], own.angle[k].at(time_s));
+      }
+      return q;
+    }
     for (std::size_t k = 0; k < 4; ++k) {
       const Jet c = rotations_[static_cast<std::size_t>(segment)][k].at(time_s);
       const auto i = static_cast<Eigen::Index>(k);
@@ -269,7 +315,14 @@ class BvhMotion : public BodyMotion {
   }
 
  private:
+  struct Axes {
+    Quaterniond rest = Quaterniond::Identity();
+    Vector3d axis[2];
+    SampledCurve angle[2];
+    std::size_t count = 0;
+  };
   std::vector<std::array<SampledCurve, 4>> rotations_;
+  std::vector<Axes> axes_;
   std::array<SampledCurve, 3> root_;
   double duration_;
 };
@@ -294,6 +347,9 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
   auto frames = static_cast<std::size_t>(std::floor(clip->duration() * rate + 1e-3)) + 1;
   std::vector<std::vector<Quaterniond>> R_PL(links.size());
   std::vector<Vector3d> p;
+  std::vector<Eigen::Vector2d> angles;
+  std::vector<AxisTrack> axes;
+  const bool whole_body = skeleton.find("pelvis") >= 0 && skeleton.find("left_thigh") >= 0;
   for (std::size_t f = 0; f < frames; ++f) {
     const auto poses = motion::pose_at(*clip, static_cast<double>(f) / rate);
     std::vector<Quaterniond> R_WL(links.size());
@@ -305,6 +361,34 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
                                : poses[static_cast<std::size_t>(link.joint)].R_WL * link.R_JL;
       R_PL[i].push_back((R_WP.conjugate() * R_WL[i]).normalized());
     }
+    if (whole_body) {
+      std::vector<Quaterniond> frame;
+      for (const auto& R : R_PL) {
+        frame.push_back(R.back());
+      }
+      const std::vector<Eigen::Vector2d> before = angles;
+      project_on_joints(skeleton, frame, angles);
+      axes.resize(links.size());
+      for (std::size_t i = 1; i < links.size(); ++i) {
+        const body::Segment& segment = skeleton.segments[i];
+        const int count = segment.joint.kind == body::JointKind::kHinge       ? 1
+                          : segment.joint.kind == body::JointKind::kUniversal ? 2
+                                                                              : 0;
+        axes[i].R_PL_rest = segment.R_PL_rest;
+        axes[i].axis[0] = segment.joint.axis;
+        axes[i].axis[1] = segment.joint.axis2;
+        for (int k = 0; k < count; ++k) {
+          if (!before.empty()) {  // no joint turns faster
+            angles[i][k] =
+                std::clamp(angles[i][k], before[i][k] - kFastestTurn / rate, before[i][k] + kFastestTurn / rate);
+          }
+          axes[i].angle[k].push_back(angles[i][k]);
+        }
+      }
+      for (std::size_t i = 0; i < links.size(); ++i) {
+        R_PL[i].back() = frame[i];
+      }
+    }
     p.push_back(poses.front().p_WL);
   }
   const auto artificial = static_cast<std::ptrdiff_t>(artificial_frames(R_PL));
@@ -312,6 +396,13 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
     R.erase(R.begin(), R.begin() + artificial);
   }
   p.erase(p.begin(), p.begin() + artificial);
+  for (AxisTrack& track : axes) {
+    for (std::vector<double>& angle : track.angle) {
+      if (!angle.empty()) {
+        angle.erase(angle.begin(), angle.begin() + artificial);
+      }
+    }
+  }
   frames = p.size();
   if (frames < 4) {
     return Error{"has too few frames to move", path.string(), "use a file with at least four"};
@@ -337,7 +428,7 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
     R_PL.front()[f] = turn * R_PL.front()[f];
     p[f] = turn * Vector3d(p[f] - start) + place;
   }
-  return std::shared_ptr<const BodyMotion>(std::make_shared<BvhMotion>(std::move(R_PL), p, rate));
+  return std::shared_ptr<const BodyMotion>(std::make_shared<BvhMotion>(std::move(R_PL), p, rate, axes));
 }
 
 }  // namespace limbwave::simulate

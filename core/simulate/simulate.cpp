@@ -29,12 +29,15 @@ take::TakeInfo describe(const Simulation& simulation, const SimulateSettings& se
 }  // namespace
 
 std::vector<std::string> builtin_motions() {
-  return {"arm-raise", "wave", "reach", "walk", "box", "every-joint", "still", "range", "poses"};
+  return {"arm-raise", "wave", "reach", "walk", "box", "every-joint", "still", "range", "poses", "run", "squat"};
 }
 
 Status simulate_take(const std::filesystem::path& folder, const SimulateSettings& settings, const Progress& progress) {
   if (!progress.report(0.0, "preparing the motion")) {
     return cancelled();
+  }
+  if (const Result<body::Rig> rig = body::load_rig(settings.rig); rig && rig->driver_box) {
+    return simulate_driver_box_take(folder, settings, progress);
   }
   const auto made = make_simulation(settings);
   if (!made) {

@@ -165,6 +165,9 @@ Result<Take> open_take(const fs::path& folder) {
     return info.error();
   }
   take.info = *std::move(info);
+  if (take.info.kind == "log") {
+    return take;  // readings of other sensors (take/body_log.h): there is no signal
+  }
   const Result<SignalFile> signal = inspect_signal(take.signal_path(), take.info.format);
   if (!signal) {
     return signal.error();

@@ -15,6 +15,7 @@
 #include "body/rig.h"
 #include "body/skeleton.h"
 #include "calibrate/calibration.h"
+#include "calibrate/ranging_calibration.h"
 
 namespace limbwave::take {
 
@@ -36,8 +37,8 @@ struct TakeEvent {
 /// take.json.
 struct TakeInfo {
   int schema = 1;
-  std::string kind = "line-in";
-  std::string created;  ///< ISO 8601, UTC.
+  std::string kind = "line-in";  ///< Or "driver-box".
+  std::string created;           ///< ISO 8601, UTC.
   std::string subject;
   std::string source;  ///< Device or file it came from, for people.
   acquire::StreamFormat format;
@@ -49,7 +50,8 @@ struct TakeInfo {
   body::Rig rig;
   body::Skeleton skeleton;
   std::optional<calibrate::RigCalibration> calibration;
-  std::vector<TakeSegment> segments;  ///< Empty: all of it is the capture.
+  std::optional<calibrate::RangingCalibration> ranging;  ///< Of a driver box; empty: nominal.
+  std::vector<TakeSegment> segments;                     ///< Empty: all of it is the capture.
 
   /// The segment "capture", or the whole take.
   [[nodiscard]] TakeSegment capture() const;

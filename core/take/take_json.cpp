@@ -39,11 +39,11 @@ Result<TakeInfo> info_from_json(const nlohmann::json& json, const std::string& p
     return Error{"was written by a newer version of Limbwave", place, "open it with that version"};
   }
   reader.allow({"schema", "kind", "created", "subject", "source", "format", "complete", "frames", "samples_crc32",
-                "rig", "skeleton", "calibration", "segments"});
+                "rig", "skeleton", "calibration", "ranging", "segments"});
   info.schema = static_cast<int>(reader.at("schema").integer(1, 1));
   info.kind = reader.at("kind").string();
-  if (info.kind != "line-in") {
-    reader.at("kind").fail("is \"" + info.kind + "\"", "this version reads \"line-in\"");
+  if (info.kind != "line-in" && info.kind != "driver-box" && info.kind != "log") {
+    reader.at("kind").fail("is \"" + info.kind + "\"", "this version reads \"line-in\", \"driver-box\" and \"log\"");
   }
   info.created = reader.string_or("created", "");
   info.subject = reader.string_or("subject", "");
@@ -83,6 +83,14 @@ Result<TakeInfo> info_from_json(const nlohmann::json& json, const std::string& p
     }
     info.calibration = *std::move(calibration);
   }
+  if (reader.has("ranging")) {
+    Result<calibrate::RangingCalibration> ranging =
+        calibrate::ranging_calibration_from_json(reader.at("ranging").raw(), place + ": /ranging");
+    if (!ranging) {
+      return ranging.error();
+    }
+    info.ranging = *std::move(ranging);
+  }
   return info;
 }
 
@@ -110,6 +118,9 @@ nlohmann::json info_to_json(const TakeInfo& info) {
   }
   if (info.calibration) {
     json["calibration"] = calibrate::calibration_to_json(*info.calibration);
+  }
+  if (info.ranging) {
+    json["ranging"] = calibrate::ranging_calibration_to_json(*info.ranging);
   }
   return json;
 }

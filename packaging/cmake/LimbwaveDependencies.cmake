@@ -9,6 +9,7 @@ find_package(ZLIB REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(assimp 5.2 REQUIRED)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
+pkg_check_modules(SERIALPORT REQUIRED IMPORTED_TARGET libserialport)
 pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0)
 # Only to ask devices what they offer and to keep the two libraries from writing to the terminal.
 pkg_check_modules(ALSA REQUIRED IMPORTED_TARGET alsa)

@@ -1,0 +1,360 @@
+#include "emulator.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <thread>
+
+namespace limbwave::emulator {
+namespace {
+
+using acquire::PacketKind;
+
+constexpr double kMemory = 1.0;  // seconds of blocks that the box keeps when the line does not take them
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Emulator::Emulator(acquire::BoxHello hello, EmulatorSettings settings, Samples samples)
+    : hello_(std::move(hello)), settings_(std::move(settings)), samples_(std::move(samples)), random_(settings_.seed) {}
+
+Emulator::~Emulator() {
+  close();
+  if (log_ != nullptr) {
+    std::fclose(log_);
+  }
+  if (!settings_.link.empty()) {
+    ::unlink(settings_.link.c_str());
+  }
+}
+
+Status Emulator::open() {
+  char name[256] = {};
+  termios raw{};
+  ::cfmakeraw(&raw);
+  raw.c_cflag |= CS8 | CREAD | CLOCAL;
+  if (::openpty(&master_, &slave_, name, &raw, nullptr) != 0) {
+    return Error{fmt::format("cannot be opened ({})", std::strerror(errno)), "pseudo-terminal", "free some terminals"};
+  }
+  ::fcntl(master_, F_SETFL, O_NONBLOCK);
+  ::fcntl(master_, F_SETFD, FD_CLOEXEC);
+  ::fcntl(slave_, F_SETFD, FD_CLOEXEC);
+  path_ = name;
+  if (!settings_.link.empty()) {
+    // Renamed over the old link, so that there is always one.
+    const std::string fresh = settings_.link + ".new";
+    ::unlink(fresh.c_str());
+    if (::symlink(name, fresh.c_str()) != 0 || ::rename(fresh.c_str(), settings_.link.c_str()) != 0) {
+      return Error{fmt::format("cannot be made ({})", std::strerror(errno)), settings_.link, "choose another place"};
+    }
+  }
+  if (log_ == nullptr && !settings_.log.empty()) {
+    log_ = std::fopen(settings_.log.c_str(), "w");
+    if (log_ == nullptr) {
+      return Error{fmt::format("cannot be written ({})", std::strerror(errno)), settings_.log, "choose another place"};
+    }
+  }
+  parser_.reset();
+  send(PacketKind::kHello, acquire::hello_body(hello_));
+  return {};
+}
+
+void Emulator::close() {
+  for (int* descriptor : {&master_, &slave_}) {
+    if (*descriptor >= 0) {
+      ::close(*descriptor);
+      *descriptor = -1;
+    }
+  }
+  waiting_.clear();
+  held_back_.clear();
+  written_ = 0;
+}
+
+void Emulator::log(const std::string& kind, std::int64_t first, std::int64_t frames) {
+  if (log_ != nullptr) {
+    std::fputs(fmt::format("{{\"fault\":\"{}\",\"first\":{},\"frames\":{}}}\n", kind, first, frames).c_str(), log_);
+    std::fflush(log_);
+  }
+}
+
+void Emulator::send(PacketKind kind, const std::vector<std::byte>& body) {
+  if (master_ >= 0) {
+    waiting_.push_back(acquire::write_packet(kind, sequence_++, body));
+  }
+}
+
+void Emulator::answer(const acquire::Packet& packet) {
+  bool done = true;
+  switch (packet.kind) {
+    case PacketKind::kIdentify:
+      send(PacketKind::kHello, acquire::hello_body(hello_));
+      return;
+    case PacketKind::kStart:
+      running_ = true;
+      from_start_ = true;
+      frame_ = 0;
+      overruns_ = 0;
+      started_s_ = now_s();
+      next_status_s_ = started_s_;
+      break;
+    case PacketKind::kStop:
+      running_ = false;
+      break;
+    case PacketKind::kSchedule: {
+      const auto schedule = acquire::read_schedule(packet.body);
+      done = schedule && !running_;
+      if (done) {
+        schedule_ = *schedule;
+      }
+      break;
+    }
+    case PacketKind::kContinue:
+      done = running_;
+      break;
+    default:
+      done = false;
+  }
+  send(PacketKind::kAnswer, acquire::answer_body({packet.sequence, done}));
+}
+
+void Emulator::hear() {
+  std::byte bytes[4096];
+  while (master_ >= 0) {
+    const ssize_t got = ::read(master_, bytes, sizeof bytes);
+    if (got <= 0) {
+      break;
+    }
+    parser_.push({bytes, static_cast<std::size_t>(got)});
+  }
+  while (auto packet = parser_.next()) {
+    answer(*packet);
+  }
+}
+
+bool Emulator::command(const std::string& line) {
+  std::istringstream words(line);
+  std::string what;
+  double value = 0.0;
+  words >> what;
+  const bool has_value = static_cast<bool>(words >> value);
+  if (what == "lose") {
+    lose_ = has_value ? std::max(1, static_cast<int>(value)) : 1;
+  } else if (what == "corrupt") {
+    corrupt_ = has_value ? std::max(1, static_cast<int>(value)) : 1;
+  } else if (what == "duplicate") {
+    duplicate_ = true;
+  } else if (what == "reorder") {
+    reorder_ = true;
+  } else if ((what == "pull" || what == "plug") && has_value && value >= 1.0 && value <= hello_.wires) {
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(value - 1.0);
+    connected_ = what == "pull" ? connected_ & ~bit : connected_ | bit;
+    log(what, frame_, static_cast<std::int64_t>(value));
+  } else if (what == "stall" && has_value) {
+    stalled_until_s_ = now_s() + value;
+    log(what, frame_, 0);
+  } else if ((what == "unplug" || what == "reboot") && has_value) {
+    log(what, frame_, 0);
+    close();
+    unplugged_until_s_ = now_s() + value;
+    if (what == "reboot") {
+      running_ = false;
+      ++hello_.session;
+    }
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Emulator::own_fault(double now) {
+  for (auto it = plug_again_.begin(); it != plug_again_.end();) {
+    if (it->first <= now) {
+      (void)command(fmt::format("plug {}", it->second));
+      it = plug_again_.erase(it);
+    } else {
+      ++it;
+    }
+  }
+  if (settings_.faults_every_s <= 0.0 || !running_ || now < next_fault_s_) {
+    return;
+  }
+  std::exponential_distribution<double> pause(1.0 / settings_.faults_every_s);
+  const bool first = next_fault_s_ == 0.0;
+  next_fault_s_ = now + pause(random_);
+  if (first || unplugged_until_s_ > 0.0) {
+    return;
+  }
+  const auto wire = static_cast<int>(random_() % static_cast<std::uint64_t>(hello_.wires)) + 1;
+  switch (random_() % 12) {
+    case 0:
+    case 1:
+    case 2:
+      (void)command(fmt::format("lose {}", 1 + random_() % 20));
+      break;
+    case 3:
+    case 4:
+      (void)command(fmt::format("corrupt {}", 1 + random_() % 4));
+      break;
+    case 5:
+    case 6:
+      (void)command("duplicate");
+      break;
+    case 7:
+    case 8:
+      (void)command("reorder");
+      break;
+    case 9:
+      (void)command(fmt::format("pull {}", wire));
+      plug_again_.emplace_back(now + 1.0, wire);
+      break;
+    case 10:
+      (void)command(fmt::format("stall {}", 0.2 + 0.1 * static_cast<double>(random_() % 10)));
+      break;
+    default:
+      (void)command(fmt::format("unplug {}", 0.2 + 0.1 * static_cast<double>(random_() % 20)));
+  }
+}
+
+void Emulator::make_block() {
+  acquire::BoxBlock block;
+  block.first = frame_;
+  block.frames = settings_.block_frames;
+  block.wires = hello_.wires;
+  block.connected = connected_;
+  samples_(block.samples, block.frames, from_start_);
+  from_start_ = false;
+  frame_ += block.frames;
+  for (int w = 0; w < block.wires; ++w) {
+    if (((connected_ >> static_cast<unsigned>(w)) & 1U) == 0) {
+      for (int n = 0; n < block.frames; ++n) {
+        block.samples[static_cast<std::size_t>(n * block.wires + w)] = 0;
+      }
+    }
+  }
+  if (master_ < 0) {
+    log("lost", block.first, block.frames);  // the line is unplugged
+    return;
+  }
+  if (lose_ > 0) {
+    --lose_;
+    log("lost", block.first, block.frames);
+    return;
+  }
+  const double bytes_s = hello_.rate_hz * hello_.wires * 2.0;
+  if (static_cast<double>(waiting_.size()) * block.frames * block.wires * 2.0 > kMemory * bytes_s) {
+    ++overruns_;
+    log("lost", block.first, block.frames);
+    return;
+  }
+  std::vector<std::byte> packet = acquire::write_packet(PacketKind::kBlock, sequence_++, acquire::block_body(block));
+  if (corrupt_ > 0) {
+    --corrupt_;
+    for (int i = 0; i < 3; ++i) {
+      packet[random_() % packet.size()] ^= static_cast<std::byte>(1U + random_() % 255U);
+    }
+    log("lost", block.first, block.frames);
+  }
+  if (reorder_ && held_back_.empty()) {
+    reorder_ = false;
+    log("reorder", block.first, block.frames);
+    held_back_ = std::move(packet);
+    return;
+  }
+  if (duplicate_) {
+    duplicate_ = false;
+    log("duplicate", block.first, block.frames);
+    waiting_.push_back(packet);
+  }
+  waiting_.push_back(std::move(packet));
+  if (!held_back_.empty()) {
+    waiting_.push_back(std::move(held_back_));
+    held_back_.clear();
+  }
+}
+
+void Emulator::flush() {
+  while (master_ >= 0 && !waiting_.empty()) {
+    const std::vector<std::byte>& packet = waiting_.front();
+    const ssize_t put = ::write(master_, packet.data() + written_, packet.size() - written_);
+    if (put <= 0) {
+      return;
+    }
+    written_ += static_cast<std::size_t>(put);
+    if (written_ == packet.size()) {
+      waiting_.pop_front();
+      written_ = 0;
+    }
+  }
+}
+
+Status Emulator::run(const std::function<bool()>& stop, int input) {
+  const double begin = now_s();
+  const double block_s = settings_.block_frames / (static_cast<double>(hello_.rate_hz) * settings_.speed);
+  while (!stop()) {
+    const double now = now_s();
+    if (settings_.seconds > 0.0 && now - begin > settings_.seconds) {
+      break;
+    }
+    if (unplugged_until_s_ > 0.0 && now >= unplugged_until_s_) {
+      unplugged_until_s_ = -1.0;
+      if (Status opened = open(); !opened) {
+        return opened;
+      }
+    }
+    hear();
+    own_fault(now);
+    // Blocks that are due; not too many at once, so that commands are heard.
+    for (int i = 0; running_ && i < 64 &&
+                    started_s_ + static_cast<double>(frame_) / settings_.block_frames * block_s + block_s <= now;
+         ++i) {
+      make_block();
+    }
+    if (running_ && now >= next_status_s_) {
+      next_status_s_ += 1.0;
+      send(PacketKind::kStatus, acquire::status_body({frame_, 7.4F, 31.5F, overruns_}));
+    }
+    if (now >= stalled_until_s_) {
+      flush();
+    }
+    pollfd waits[2] = {
+        {master_, static_cast<short>(POLLIN | (waiting_.empty() || now < stalled_until_s_ ? 0 : POLLOUT)), 0},
+        {input, POLLIN, 0}};
+    ::poll(waits, 2, 1);
+    if (input >= 0 && (waits[1].revents & POLLIN) != 0) {
+      char text[256];
+      const ssize_t got = ::read(input, text, sizeof text);
+      if (got <= 0) {
+        input = -1;
+      }
+      for (ssize_t i = 0; i < got; ++i) {
+        if (text[i] != '\n') {
+          input_line_ += text[i];
+          continue;
+        }
+        if (!input_line_.empty() && !command(input_line_)) {
+          std::fputs(fmt::format("limbwave-driver-box-emulator: {}: is no fault\n", input_line_).c_str(), stderr);
+        }
+        input_line_.clear();
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace limbwave::emulator

@@ -1,0 +1,56 @@
+/// All wires of a driver box: ranges and inertial readings, in order. A streaming stage; wires are decoded on several
+/// threads, which changes nothing about the results.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/time.h"
+#include "decode/inertial_reading.h"
+#include "decode/inertial_words.h"
+#include "decode/range_reading.h"
+#include "decode/ranging.h"
+
+namespace limbwave::decode {
+
+struct DriverBoxFormat {
+  SampleRate rate{140000.0};
+  std::vector<RangingFormat> wires;  ///< One per wire.
+  WordFormat words;
+};
+
+struct DriverBoxParameters {
+  RangingParameters ranging;
+  bool ranges = true, inertial = true;  ///< What to decode.
+  int threads = 2;
+};
+
+class DriverBoxDecoder {
+ public:
+  explicit DriverBoxDecoder(const DriverBoxFormat& format, const DriverBoxParameters& parameters = {});
+  ~DriverBoxDecoder();
+  DriverBoxDecoder(const DriverBoxDecoder&) = delete;
+  DriverBoxDecoder& operator=(const DriverBoxDecoder&) = delete;
+
+  /// Interleaved samples, full scale ±1.
+  void push(std::span<const float> interleaved);
+  /// Frames are missing on all wires.
+  void gap(SampleCount count);
+  void finish();
+
+  /// What a pose filter expects, by receiver; see RangingDecoder.
+  void set_prediction(int receiver, RangingDecoder::Predict predict);
+
+  /// Readings since the last call: by pulse and wire.
+  std::vector<RangeReading> take_ranges();
+  /// Readings since the last call, ordered by time and board within what has been pushed.
+  std::vector<InertialReading> take_inertial();
+  [[nodiscard]] const WordStatus& words(int board) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace limbwave::decode

@@ -1,0 +1,54 @@
+/// What ranging needs to know about a driver box and who wears it, for one wire.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace limbwave::decode {
+
+struct RangingSource {
+  Eigen::Vector3d position =
+      Eigen::Vector3d::Zero();  ///< At rest, in the frame of the segment that most sources sit on.
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< Likewise, unit length.
+  bool fixed = true;                                  ///< Sits on that segment itself; the others move against it.
+  double delay_s = 0.0;                               ///< It starts later than its slot by this.
+  double phase = 0.0,
+         phase_2 = 0.0;  ///< Phase at u = angle off the normal / 60 degrees: phase u² + phase_2 u³, radians.
+  double level = 1.0;    ///< Amplitude relative to `level_m`.
+  double reach = 10.0;   ///< No limb takes this wire's microphone further away, metres.
+};
+
+struct RangingFormat {
+  int slot_samples = 1120;
+  double pulse_hz = 40000.0;
+  int pulse_cycles = 10;
+  double transducer_q = 20.0;
+  double microphone_bandwidth_hz = 12000.0;
+  double level_m = 0.08;  ///< Amplitude of a source on its axis times distance, fraction of full scale.
+  double absorption_db_m = 1.3;
+  std::vector<double> radiation;  ///< Relative amplitude at 0, 10, ... 180 degrees off a normal.
+  double speed_of_sound = 344.6;  ///< m/s.
+  std::vector<RangingSource> sources;
+  Eigen::Vector3d receiver = Eigen::Vector3d::Zero();  ///< This wire's microphone, at rest, in the same frame.
+};
+
+/// How arrivals become ranges.
+enum class RangingMethod {
+  kPaper,     ///< Steepest point of the first rising power envelope (Vlasic et al. 2007, §4.1).
+  kEnvelope,  ///< Envelope matched filter.
+  kCarrier,   ///< Carrier phase, with whole cycles resolved.
+};
+
+struct RangingParameters {
+  RangingMethod method = RangingMethod::kCarrier;
+  double detection = 16.0;           ///< Energy of an arrival over the noise's after the matched filter.
+  double phase_sd = 0.15e-3;         ///< What calibration leaves of the sources' phases, metres.
+  double placement_sd = 6e-3;        ///< How far sources sit from where the rig says, metres.
+  double jerk = 40.0;                ///< White jerk of a limb, m/s³ √s.
+  double source_acceleration = 0.6;  ///< White acceleration of sources on other segments, m/s² √s.
+  double certainty = 0.98;           ///< Of a whole number of cycles.
+  double least_confidence = 0.1;     ///< Of an accepted range.
+};
+
+}  // namespace limbwave::decode

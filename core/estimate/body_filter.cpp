@@ -1,0 +1,426 @@
+#include "estimate/body_filter.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "geometry/so3.h"
+
+namespace limbwave::estimate {
+namespace {
+
+using body::LinkKind;
+using body::TreeLink;
+using Eigen::Matrix3d;
+using Eigen::VectorXd;
+using RowMatrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, const body::Tree& tree) {
+  BodyLayout layout;
+  layout.dofs = tree.dofs();
+  layout.size = 3 * tree.dofs();
+  const auto take = [&](bool wanted, int count) {
+    const int first = wanted ? layout.size : -1;
+    layout.size += wanted ? count : 0;
+    return first;
+  };
+  const bool inertial = p.use_gyroscopes || p.use_accelerometers;
+  for (const BodyBoard& board : model.boards) {
+    const bool gyroscope = p.use_gyroscopes && board.gyroscope;
+    const bool accelerometer = p.use_accelerometers && board.accelerometer;
+    const bool microphone = p.use_ranges && board.microphone && !model.sources.empty();
+    layout.gyroscope_bias.push_back(take(gyroscope && p.gyroscope_bias > 0.0, 3));
+    layout.accelerometer_bias.push_back(take(accelerometer && p.accelerometer_bias > 0.0, 3));
+    layout.mount_rotation.push_back(take(inertial && (gyroscope || accelerometer) && p.mount_rotation > 0.0, 3));
+    layout.mount_place.push_back(take((accelerometer || microphone) && p.mount_place > 0.0, 3));
+  }
+  for (std::size_t s = 0; s < model.sources.size(); ++s) {
+    layout.source_place.push_back(take(p.use_ranges && p.source_place > 0.0, 3));
+    layout.range_offset.push_back(take(p.use_ranges && p.range_offset > 0.0, 1));
+  }
+  layout.sound_scale = take(p.use_ranges && !model.sources.empty() && p.sound_scale > 0.0, 1);
+  for (std::size_t s = 0; s < model.skeleton.segments.size(); ++s) {
+    const bool carries = std::any_of(
+        model.skeleton.segments.begin(), model.skeleton.segments.end(),
+        [&](const body::Segment& child) { return child.parent == static_cast<int>(s) && !child.p_PL.isZero(); });
+    layout.bone_scale.push_back(take(carries && p.bone_scale > 0.0 && (p.use_accelerometers || p.use_ranges), 1));
+  }
+  return layout;
+}
+
+body::RootMotion root_motion(RootMode mode) {
+  return mode == RootMode::kFixed ? body::RootMotion::kJoint : body::RootMotion::kFree;
+}
+
+// Probability that χ² exceeds x: closed forms for up to three degrees of freedom.
+double chi_square_tail(int freedom, double x) {
+  const double one = std::erfc(std::sqrt(0.5 * x));
+  return freedom == 1   ? one
+         : freedom == 2 ? std::exp(-0.5 * x)
+                        : one + std::sqrt(2.0 * x / EIGEN_PI) * std::exp(-0.5 * x);
+}
+
+}  // namespace
+
+double chi_square_limit(int freedom, double probability) {
+  assert(freedom >= 1 && freedom <= 3 && probability > 0.0 && probability < 1.0);
+  double low = 0.0;
+  double high = 1000.0;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (chi_square_tail(freedom, middle) > probability ? low : high) = middle;
+  }
+  return high;
+}
+
+BodyFilter::BodyFilter(BodyModel model, const BodyFilterParameters& parameters)
+    : model_(std::move(model)),
+      parameters_(parameters),
+      tree_(model_.skeleton, root_motion(parameters.root)),
+      layout_(make_layout(model_, parameters_, tree_)),
+      kinematics_(tree_),
+      P_(layout_.size),
+      correction_(VectorXd::Zero(layout_.size)),
+      gyroscope_counts_(model_.boards.size()),
+      accelerometer_counts_(model_.boards.size()),
+      range_counts_(model_.sources.size()) {
+  for (int rows = 1; rows <= 3; ++rows) {
+    gates_[rows] = parameters_.gate_probability > 0.0 ? chi_square_limit(rows, parameters_.gate_probability) : 0.0;
+  }
+  for (std::size_t l = 0; l < tree_.links().size(); ++l) {
+    std::vector<int> moved;
+    for (int i = static_cast<int>(l); i >= 0; i = tree_.links()[static_cast<std::size_t>(i)].parent) {
+      const TreeLink& link = tree_.links()[static_cast<std::size_t>(i)];
+      if (link.parent < 0 || link.p_PL.isZero()) {
+        continue;
+      }
+      const TreeLink& parent = tree_.links()[static_cast<std::size_t>(link.parent)];
+      if (layout_.bone_scale[static_cast<std::size_t>(parent.segment)] >= 0) {
+        moved.push_back(i);
+      }
+    }
+    bone_links_.push_back(std::move(moved));
+  }
+  const std::size_t boards = model_.boards.size();
+  state_.joints = tree_.rest();
+  state_.gyroscope_bias.assign(boards, Vector3d::Zero());
+  state_.accelerometer_bias = state_.mount_place = state_.gyroscope_bias;
+  state_.mount_rotation.assign(boards, Quaterniond::Identity());
+  state_.source_place.assign(model_.sources.size(), Vector3d::Zero());
+  state_.range_offset.assign(model_.sources.size(), 0.0);
+  state_.bone_scale.assign(model_.skeleton.segments.size(), 0.0);
+}
+
+void BodyFilter::start(double time_s, const RootReading* root) {
+  state_.time_s = next_prior_s_ = time_s;
+  const BodyFilterParameters& p = parameters_;
+  const int n = layout_.dofs;
+  const auto square = [](double x) { return x * x; };
+  for (int i = 0; i < n; ++i) {
+    P_.set_variance(i, square(p.rest_pose));
+    P_.set_variance(n + i, square(p.start_rate));
+    P_.set_variance(2 * n + i, square(p.start_acceleration));
+  }
+  if (tree_.root_motion() == body::RootMotion::kFree) {
+    const body::Segment& segment = model_.skeleton.segments.front();
+    tree_.set_root(state_.joints, root != nullptr ? root->R_WL : segment.R_PL_rest,
+                   root != nullptr ? root->p_W : segment.p_PL);
+    for (int i = 0; i < 3; ++i) {
+      P_.set_variance(i, square(root != nullptr ? 0.01 : 0.001));
+      P_.set_variance(3 + i, square(root != nullptr ? 0.02 : p.rest_pose));
+      P_.set_variance(n + i, square(0.2 + (root != nullptr ? 1.0 : 0.0)));
+      P_.set_variance(n + 3 + i, square(p.start_rate + (root != nullptr ? 1.0 : 0.0)));
+    }
+  }
+  const auto constants = [&](const std::vector<int>& first, int count, double sigma) {
+    for (const int f : first) {
+      for (int i = 0; f >= 0 && i < count; ++i) {
+        P_.set_variance(f + i, sigma * sigma);
+      }
+    }
+  };
+  constants(layout_.gyroscope_bias, 3, p.gyroscope_bias);
+  constants(layout_.accelerometer_bias, 3, p.accelerometer_bias);
+  constants(layout_.mount_rotation, 3, p.mount_rotation);
+  constants(layout_.mount_place, 3, p.mount_place);
+  constants(layout_.source_place, 3, p.source_place);
+  constants(layout_.range_offset, 1, p.range_offset);
+  constants(layout_.bone_scale, 1, p.bone_scale);
+  constants({layout_.sound_scale}, 1, p.sound_scale);
+}
+
+void BodyFilter::inject(BodyState& state, const VectorXd& x) const {
+  const int n = layout_.dofs;
+  tree_.add(state.joints, x.head(n));
+  state.joints.qd += x.segment(n, n);
+  state.joints.qdd += x.segment(2 * n, n);
+  const auto add = [&](std::vector<Vector3d>& values, const std::vector<int>& first) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (first[i] >= 0) {
+        values[i] += x.segment<3>(first[i]);
+      }
+    }
+  };
+  add(state.gyroscope_bias, layout_.gyroscope_bias);
+  add(state.accelerometer_bias, layout_.accelerometer_bias);
+  add(state.mount_place, layout_.mount_place);
+  add(state.source_place, layout_.source_place);
+  for (std::size_t i = 0; i < state.mount_rotation.size(); ++i) {
+    if (const int first = layout_.mount_rotation[i]; first >= 0) {
+      state.mount_rotation[i] = (state.mount_rotation[i] * geometry::exp_so3(x.segment<3>(first))).normalized();
+    }
+  }
+  for (std::size_t i = 0; i < state.range_offset.size(); ++i) {
+    state.range_offset[i] += layout_.range_offset[i] >= 0 ? x[layout_.range_offset[i]] : 0.0;
+  }
+  for (std::size_t i = 0; i < state.bone_scale.size(); ++i) {
+    state.bone_scale[i] += layout_.bone_scale[i] >= 0 ? x[layout_.bone_scale[i]] : 0.0;
+  }
+  state.sound_scale += layout_.sound_scale >= 0 ? x[layout_.sound_scale] : 0.0;
+}
+
+// θ ⊞ (dt θ̇ + c θ̈), θ̇ + va θ̈, aa θ̈: the paper's eq. (1), with Singer's memory where the acceleration has one.
+void BodyFilter::predict(double dt, PredictRecord* record) {
+  const BodyFilterParameters& p = parameters_;
+  const int n = layout_.dofs;
+  double va = dt;
+  double aa = 1.0;
+  double c = 0.5 * dt * dt;
+  if (p.acceleration_time > 0.0) {
+    const double b = 1.0 / p.acceleration_time;
+    aa = std::exp(-b * dt);
+    va = (1.0 - aa) / b;
+    c = (b * dt - 1.0 + aa) / (b * b);
+  }
+  if (record != nullptr) {
+    record->dt = dt;
+    record->va = va;
+    record->aa = aa;
+    record->c = c;
+    record->balls.clear();
+  }
+  body::TreeState& joints = state_.joints;
+  VectorXd delta = dt * joints.qd + c * joints.qdd;
+  const CovarianceKernel& kernel = P_.kernel();
+  const long stride = P_.stride();
+  double* P = P_.row(0);
+  const auto row = [&](int i) { return P + i * stride; };
+  std::vector<PredictRecord::Ball> balls;
+  // Rows: F P.
+  for (const TreeLink& link : tree_.links()) {
+    if (link.kind == LinkKind::kBall) {
+      const Vector3d w = joints.qd.segment<3>(link.first);
+      const Vector3d al = joints.qdd.segment<3>(link.first);
+      // The third-order term of coning.
+      const Vector3d phi = dt * w + c * al + dt * dt * dt / 12.0 * w.cross(al);
+      delta.segment<3>(link.first) = phi;
+      PredictRecord::Ball ball;
+      ball.first = link.first;
+      const Matrix3d J = geometry::right_jacobian(phi);
+      Eigen::Map<RowMatrix3>(ball.A.data()) = geometry::exp_so3(-phi).toRotationMatrix();
+      Eigen::Map<RowMatrix3>(ball.B.data()) = dt * J;
+      Eigen::Map<RowMatrix3>(ball.C.data()) = c * J;
+      kernel.mix_rows(row(link.first), row(n + link.first), row(2 * n + link.first), ball.A.data(), ball.B.data(),
+                      ball.C.data(), stride);
+      balls.push_back(ball);
+    } else {
+      for (int i = link.first; i < link.first + link.count; ++i) {
+        kernel.subtract(row(i), row(n + i), -dt, stride);
+        kernel.subtract(row(i), row(2 * n + i), -c, stride);
+      }
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    kernel.subtract(row(n + i), row(2 * n + i), -va, stride);
+    if (aa != 1.0) {
+      kernel.subtract(row(2 * n + i), row(2 * n + i), 1.0 - aa, stride);
+    }
+  }
+  // Columns of the dynamic rows: (F P) Fᵀ.
+  for (int i = 0; i < 3 * n; ++i) {
+    double* x = row(i);
+    double* v = x + n;
+    double* a = x + 2 * n;
+    auto ball = balls.begin();
+    for (const TreeLink& link : tree_.links()) {
+      const int f = link.first;
+      if (link.kind == LinkKind::kBall) {
+        const double t0 = x[f];
+        const double t1 = x[f + 1];
+        const double t2 = x[f + 2];
+        for (std::size_t r = 0; r < 3; ++r) {
+          x[f + static_cast<int>(r)] = ball->A[3 * r] * t0 + ball->A[3 * r + 1] * t1 + ball->A[3 * r + 2] * t2 +
+                                       ball->B[3 * r] * v[f] + ball->B[3 * r + 1] * v[f + 1] +
+                                       ball->B[3 * r + 2] * v[f + 2] + ball->C[3 * r] * a[f] +
+                                       ball->C[3 * r + 1] * a[f + 1] + ball->C[3 * r + 2] * a[f + 2];
+        }
+        ++ball;
+      } else {
+        for (int k = f; k < f + link.count; ++k) {
+          x[k] += dt * v[k] + c * a[k];
+        }
+      }
+    }
+    for (int k = 0; k < n; ++k) {
+      v[k] += va * a[k];
+      a[k] *= aa;
+    }
+  }
+  // Process noise of a white jerk, and exact symmetry.
+  const bool free_root = tree_.root_motion() == body::RootMotion::kFree;
+  for (int i = 0; i < n; ++i) {
+    const double walk = free_root && i < 3 ? p.root_acceleration_walk : p.acceleration_walk;
+    const double q = walk * walk;
+    const double dt2 = dt * dt;
+    P_.add_variance(2 * n + i, q * dt);
+    P_.add_variance(n + i, q * dt2 * dt / 3.0);
+    P_.add_variance(i, q * dt2 * dt2 * dt / 20.0);
+    row(n + i)[2 * n + i] += q * dt2 / 2.0;
+    row(i)[2 * n + i] += q * dt2 * dt / 6.0;
+    row(i)[n + i] += q * dt2 * dt2 / 8.0;
+  }
+  for (int i = 0; i < 3 * n; ++i) {
+    const double* from = row(i);
+    for (int k = i + 1; k < layout_.size; ++k) {
+      row(k)[i] = from[k];
+    }
+  }
+  const auto walk = [&](const std::vector<int>& first, int count, double sigma) {
+    for (const int f : first) {
+      for (int i = 0; f >= 0 && i < count; ++i) {
+        P_.add_variance(f + i, sigma * sigma * dt);
+      }
+    }
+  };
+  walk(layout_.gyroscope_bias, 3, p.gyroscope_bias_walk);
+  walk(layout_.accelerometer_bias, 3, p.accelerometer_bias_walk);
+  walk(layout_.mount_rotation, 3, p.mount_rotation_walk);
+  walk(layout_.mount_place, 3, p.mount_place_walk);
+  walk(layout_.range_offset, 1, p.range_offset_walk);
+  walk({layout_.sound_scale}, 1, p.sound_scale_walk);
+
+  tree_.add(joints, delta);
+  joints.qd += va * joints.qdd;
+  joints.qdd *= aa;
+  state_.time_s += dt;
+  if (record != nullptr) {
+    record->balls = std::move(balls);
+  }
+}
+
+std::vector<double> BodyFilter::place_scale() const {
+  std::vector<double> scale(tree_.links().size(), 1.0);
+  for (std::size_t l = 0; l < scale.size(); ++l) {
+    if (const int parent = tree_.links()[l].parent; parent >= 0) {
+      const auto segment = static_cast<std::size_t>(tree_.links()[static_cast<std::size_t>(parent)].segment);
+      scale[l] = 1.0 + state_.bone_scale[segment];
+    }
+  }
+  return scale;
+}
+
+void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepRecord* record) {
+  if (record != nullptr) {
+    record->updates.clear();
+    record->predict = {};
+  }
+  const double dt = instant.time_s - state_.time_s;
+  if (dt > 0.0) {
+    predict(dt, record != nullptr ? &record->predict : nullptr);
+  }
+  kinematics_.update(state_.joints, place_scale());
+  correction_.setZero();
+  if (root != nullptr) {
+    add_root(*root);
+  }
+  for (std::size_t i = 0; i < instant.inertials; ++i) {
+    add_inertial(instant.inertial[i]);
+    if (pending_rows_ >= 18) {
+      flush(record);
+    }
+  }
+  for (std::size_t i = 0; i < instant.range_count; ++i) {
+    add_range(instant.ranges[i]);
+  }
+  if (instant.time_s >= next_prior_s_) {
+    add_priors();
+    add_limits();
+    next_prior_s_ = instant.time_s + 0.1 - 1e-9;
+  }
+  flush(record);
+  inject(state_, correction_);
+}
+
+MeasurementGroup& BodyFilter::group(int rows, int tag) {
+  if (used_groups_ == groups_.size()) {
+    groups_.emplace_back();
+  }
+  MeasurementGroup& g = groups_[used_groups_++];
+  g.rows = rows;
+  g.support.clear();
+  g.H.clear();
+  g.gate = gates_[rows];
+  g.softened = false;
+  g.tag = tag;
+  pending_rows_ += rows;
+  return g;
+}
+
+void BodyFilter::flush(StepRecord* record) {
+  if (used_groups_ == 0) {
+    return;
+  }
+  MeasurementGroup* first = groups_.data();
+  MeasurementGroup* last = first + used_groups_;
+  // Earlier updates of this instant have moved the state; everything is linearised where the prediction was.
+  for (MeasurementGroup* g = first; g != last; ++g) {
+    for (std::size_t s = 0; s < g->support.size(); ++s) {
+      for (int r = 0; r < g->rows; ++r) {
+        g->innovation[r] -=
+            g->H[s * static_cast<std::size_t>(g->rows) + static_cast<std::size_t>(r)] * correction_[g->support[s]];
+      }
+    }
+  }
+  UpdateRecord* update = nullptr;
+  if (record != nullptr) {
+    update = &record->updates.emplace_back();
+  }
+  log_likelihood_ += P_.update(first, last, correction_, update);
+  if (update != nullptr && update->e.empty()) {
+    record->updates.pop_back();
+  }
+  for (const MeasurementGroup* g = first; g != last; ++g) {
+    count(*g);
+  }
+  used_groups_ = 0;
+  pending_rows_ = 0;
+}
+
+void BodyFilter::update(std::vector<MeasurementGroup>& groups, std::vector<UpdateRecord>* records) {
+  correction_.setZero();
+  UpdateRecord* record = records != nullptr ? &records->emplace_back() : nullptr;
+  P_.update(groups.data(), groups.data() + groups.size(), correction_, record);
+  inject(state_, correction_);
+}
+
+BodyFilter::Snapshot BodyFilter::snapshot() const {
+  Snapshot snapshot{state_, {}, next_prior_s_};
+  snapshot.P.reserve(static_cast<std::size_t>(layout_.size) * static_cast<std::size_t>(layout_.size + 1) / 2);
+  for (int i = 0; i < layout_.size; ++i) {
+    snapshot.P.insert(snapshot.P.end(), P_.row(i), P_.row(i) + i + 1);
+  }
+  return snapshot;
+}
+
+void BodyFilter::resume(const Snapshot& snapshot) {
+  state_ = snapshot.state;
+  next_prior_s_ = snapshot.next_prior_s;
+  const double* from = snapshot.P.data();
+  for (int i = 0; i < layout_.size; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      P_.row(i)[j] = P_.row(j)[i] = *from++;
+    }
+  }
+}
+
+}  // namespace limbwave::estimate

@@ -1,0 +1,361 @@
+#include "estimate/body_smoother.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "geometry/so3.h"
+
+namespace limbwave::estimate {
+namespace {
+
+using Eigen::VectorXd;
+
+void append_pose(const BodyFilter& filter, const BodyState& state, BodyTrack& track) {
+  track.times.push_back(state.time_s);
+  const double delay = filter.parameters().reading_delay_s;
+  if (delay > 0.0) {
+    // What has been read is that long ago; the pose is wanted for now.
+    body::TreeState now = state.joints;
+    filter.tree().add(now, delay * now.qd + 0.5 * delay * delay * now.qdd);
+    track.R_joint.push_back(filter.tree().segment_rotations(now));
+    track.root_p_W.push_back(filter.tree().root_position(now));
+    return;
+  }
+  track.R_joint.push_back(filter.tree().segment_rotations(state.joints));
+  track.root_p_W.push_back(filter.tree().root_position(state.joints));
+}
+
+void append_sigma(const BodyFilter& filter, BodyTrack& track) {
+  std::vector<float>& sigma = track.sigma.emplace_back(static_cast<std::size_t>(filter.tree().segments()), 0.0F);
+  std::vector<double> variance(sigma.size(), 0.0);
+  const ErrorCovariance& P = filter.covariance();
+  Vector3d root = Vector3d::Zero();
+  for (const body::TreeLink& link : filter.tree().links()) {
+    for (int i = link.first; i < link.first + link.count; ++i) {
+      if (link.kind == body::LinkKind::kTranslation) {
+        root[i - link.first] = std::sqrt(P(i, i));
+      } else {
+        variance[static_cast<std::size_t>(link.segment)] += P(i, i);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < sigma.size(); ++i) {
+    sigma[i] = static_cast<float>(std::sqrt(variance[i]));
+  }
+  track.root_sigma.push_back(root);
+}
+
+void reserve(BodyTrack& track, std::size_t count) {
+  track.times.reserve(count);
+  track.R_joint.reserve(count);
+  track.root_p_W.reserve(count);
+  track.sigma.reserve(count);
+  track.root_sigma.reserve(count);
+}
+
+// Which instants get a pose.
+std::vector<char> chosen(const std::vector<BodyInstant>& instants, double rate_hz) {
+  const bool inertial = std::any_of(instants.begin(), instants.end(), [](const auto& i) { return i.inertials > 0; });
+  std::vector<char> wanted(instants.size(), 0);
+  double next = -1e300;
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    if ((instants[i].inertials > 0 || !inertial) && instants[i].time_s >= next - 1e-4 / rate_hz) {
+      wanted[i] = 1;
+      next = std::max(next + 1.0 / rate_hz, instants[i].time_s + 0.5 / rate_hz);
+    }
+  }
+  return wanted;
+}
+
+// The filter over one recording: what both directions share.
+class Run {
+ public:
+  Run(const BodyModel& model, const BodyFilterParameters& parameters, const BodyReadings& readings, double rate_hz)
+      : readings_(readings), filter(model, parameters) {
+    for (const BodyInstant& instant : instants_of(readings)) {
+      const bool inertial = instant.inertials > 0 && (parameters.use_gyroscopes || parameters.use_accelerometers);
+      if (inertial || (instant.range_count > 0 && parameters.use_ranges)) {
+        instants.push_back(instant);
+      }
+    }
+    wanted = chosen(instants, rate_hz);
+    any_inertial_ = std::any_of(instants.begin(), instants.end(), [](const auto& i) { return i.inertials > 0; });
+  }
+
+  void step(std::size_t i, StepRecord* record = nullptr) {
+    const bool with_root = filter.parameters().root == RootMode::kGiven && !readings_.root.empty() &&
+                           (instants[i].inertials > 0 || !any_inertial_);
+    if (with_root) {
+      const RootReading root = root_at(readings_.root, instants[i].time_s);
+      filter.step(instants[i], &root, record);
+    } else {
+      filter.step(instants[i], nullptr, record);
+    }
+  }
+
+  Status check() const {
+    if (instants.empty()) {
+      return Error{"there is no reading of the sensors that shall be used", "", "choose other sensors"};
+    }
+    if (filter.parameters().root == RootMode::kGiven && readings_.root.empty()) {
+      return Error{"the root is said to be given, but there is no path of it", "", "give one, or let the root be free"};
+    }
+    return {};
+  }
+
+  void finish(BodyRun& run) const {
+    run.last = filter.state();
+    run.log_likelihood = filter.log_likelihood();
+    run.gyroscopes = filter.gyroscope_counts();
+    run.accelerometers = filter.accelerometer_counts();
+    run.ranges = filter.range_counts();
+  }
+
+ private:
+  const BodyReadings& readings_;
+  bool any_inertial_ = false;
+
+ public:
+  BodyFilter filter;
+  std::vector<BodyInstant> instants;
+  std::vector<char> wanted;
+};
+
+// λ before an update from λ behind it.
+void back_over_update(const UpdateRecord& update, VectorXd& lambda) {
+  const long m = update.W.rows();
+  VectorXd product(m);
+  for (long i = 0; i < m; ++i) {
+    product[i] =
+        update.e[static_cast<std::size_t>(i)] + Eigen::Map<const VectorXd>(update.W.row(i), lambda.size()).dot(lambda);
+  }
+  for (long i = 0; i < m; ++i) {
+    const double* g = update.G.row(i);
+    for (std::size_t s = 0; s < update.support.size(); ++s) {
+      lambda[update.support[s]] -= g[s] * product[i];
+    }
+  }
+}
+
+// λ before a prediction from λ behind it: Fᵀ λ.
+void back_over_predict(const PredictRecord& predict, const body::Tree& tree, VectorXd& lambda) {
+  if (predict.dt <= 0.0) {
+    return;
+  }
+  const int n = tree.dofs();
+  lambda.segment(2 * n, n) = predict.aa * lambda.segment(2 * n, n) + predict.va * lambda.segment(n, n);
+  auto ball = predict.balls.begin();
+  using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  for (const body::TreeLink& link : tree.links()) {
+    const int f = link.first;
+    if (link.kind == body::LinkKind::kBall) {
+      const Vector3d at = lambda.segment<3>(f);
+      lambda.segment<3>(f) = Eigen::Map<const Block>(ball->A.data()).transpose() * at;
+      lambda.segment<3>(n + f) += Eigen::Map<const Block>(ball->B.data()).transpose() * at;
+      lambda.segment<3>(2 * n + f) += Eigen::Map<const Block>(ball->C.data()).transpose() * at;
+      ++ball;
+    } else {
+      for (int i = f; i < f + link.count; ++i) {
+        lambda[n + i] += predict.dt * lambda[i];
+        lambda[2 * n + i] += predict.c * lambda[i];
+      }
+    }
+  }
+}
+
+Error stopped() {
+  return cancelled();
+}
+
+}  // namespace
+
+Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& parameters,
+                            const BodyReadings& readings, double rate_hz, const Progress& progress) {
+  Run run(model, parameters, readings, rate_hz);
+  if (Status status = run.check(); !status) {
+    return status.error();
+  }
+  BodyRun result;
+  result.diagnostics = start_from_rest(run.filter, readings);
+  reserve(result.track, run.instants.size());
+  for (std::size_t i = 0; i < run.instants.size(); ++i) {
+    run.step(i);
+    if (run.wanted[i] != 0) {
+      append_pose(run.filter, run.filter.state(), result.track);
+      append_sigma(run.filter, result.track);
+    }
+    if (i % 64 == 0 && !progress.report(static_cast<double>(i) / static_cast<double>(run.instants.size()))) {
+      return stopped();
+    }
+  }
+  run.finish(result);
+  return result;
+}
+
+Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& parameters,
+                            const BodyReadings& readings, double rate_hz, const Progress& progress, double stretch_s) {
+  Run run(model, parameters, readings, rate_hz);
+  if (Status status = run.check(); !status) {
+    return status.error();
+  }
+  BodyRun result;
+  result.diagnostics = start_from_rest(run.filter, readings);
+  struct Checkpoint {
+    std::size_t first;
+    BodyFilter::Snapshot snapshot;
+  };
+  std::vector<Checkpoint> checkpoints;
+  const std::size_t count = run.instants.size();
+  double next = -1e300;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (run.instants[i].time_s >= next) {
+      checkpoints.push_back({i, run.filter.snapshot()});
+      next = run.instants[i].time_s + stretch_s;
+    }
+    run.step(i);
+    if (i % 64 == 0 && !progress.report(0.5 * static_cast<double>(i) / static_cast<double>(count))) {
+      return stopped();
+    }
+  }
+  run.finish(result);
+
+  const int dofs = run.filter.layout().dofs;
+  const int size = run.filter.layout().size;
+  VectorXd lambda = VectorXd::Zero(size);
+  struct Kept {
+    StepRecord record;
+    BodyState state;
+    Eigen::MatrixXd P_theta;  // columns: joint degrees of freedom
+    std::vector<float> sigma;
+    Vector3d root_sigma;
+  };
+  std::vector<Kept> kept;
+  BodyTrack reversed;
+  std::size_t end = count;
+  while (!checkpoints.empty()) {
+    const Checkpoint& checkpoint = checkpoints.back();
+    run.filter.resume(checkpoint.snapshot);
+    if (kept.size() < end - checkpoint.first) {
+      kept.resize(end - checkpoint.first);
+    }
+    for (std::size_t i = checkpoint.first; i < end; ++i) {
+      Kept& k = kept[i - checkpoint.first];
+      run.step(i, &k.record);
+      if (run.wanted[i] != 0) {
+        k.state = run.filter.state();
+        k.P_theta.resize(size, dofs);
+        for (int d = 0; d < dofs; ++d) {
+          std::copy_n(run.filter.covariance().row(d), size, k.P_theta.col(d).data());
+        }
+        BodyTrack one;
+        append_sigma(run.filter, one);
+        k.sigma = std::move(one.sigma.front());
+        k.root_sigma = one.root_sigma.front();
+      }
+    }
+    for (std::size_t i = end; i-- > checkpoint.first;) {
+      Kept& k = kept[i - checkpoint.first];
+      if (run.wanted[i] != 0) {
+        run.filter.tree().add(k.state.joints, -(k.P_theta.transpose() * lambda));
+        append_pose(run.filter, k.state, reversed);
+        reversed.sigma.push_back(k.sigma);
+        reversed.root_sigma.push_back(k.root_sigma);
+      }
+      for (std::size_t u = k.record.updates.size(); u-- > 0;) {
+        back_over_update(k.record.updates[u], lambda);
+      }
+      back_over_predict(k.record.predict, run.filter.tree(), lambda);
+    }
+    end = checkpoint.first;
+    checkpoints.pop_back();
+    if (!progress.report(1.0 - 0.5 * static_cast<double>(end) / static_cast<double>(count))) {
+      return stopped();
+    }
+  }
+  const auto reverse = [](auto& values) { std::reverse(values.begin(), values.end()); };
+  reverse(reversed.times);
+  reverse(reversed.R_joint);
+  reverse(reversed.root_p_W);
+  reverse(reversed.sigma);
+  reverse(reversed.root_sigma);
+  result.track = std::move(reversed);
+  return result;
+}
+
+Diagnostics start_from_rest(BodyFilter& filter, const BodyReadings& readings) {
+  Diagnostics found;
+  const double begin = std::min(readings.inertial.empty() ? INFINITY : readings.inertial.front().time_s,
+                                readings.ranges.empty() ? INFINITY : readings.ranges.front().time_s);
+  const BodyModel& model = filter.model();
+  const bool given = filter.parameters().root == RootMode::kGiven && !readings.root.empty();
+  RootReading root;
+  if (given) {
+    root = root_at(readings.root, begin);
+  }
+  // Means over the first second, and how much every board moved in it.
+  struct Mean {
+    Vector3d f = Vector3d::Zero(), w = Vector3d::Zero();
+    double ww = 0.0;
+    int forces = 0, rates = 0;
+    // Standard deviation of the rates, rad/s.
+    [[nodiscard]] double spread() const { return std::sqrt(std::max(0.0, ww / rates - (w / rates).squaredNorm())); }
+  };
+  constexpr double kSecond = 1.0;
+  constexpr double kStill = 0.05;       // rad/s
+  constexpr double kMostBias = 0.05;    // rad/s: more is a turn
+  constexpr double kBiasLeft = 0.0007;  // rad/s: nobody stands more still
+  std::vector<Mean> means(model.boards.size());
+  for (const InertialReading& reading : readings.inertial) {
+    if (reading.time_s > begin + kSecond) {
+      break;
+    }
+    Mean& mean = means[static_cast<std::size_t>(reading.board)];
+    if (reading.f_S.allFinite() && reading.time_s < begin + 0.5 * kSecond) {
+      mean.f += reading.f_S;
+      ++mean.forces;
+    }
+    if (reading.w_S.allFinite()) {
+      mean.w += reading.w_S;
+      mean.ww += reading.w_S.squaredNorm();
+      ++mean.rates;
+    }
+  }
+  bool inclined = false;
+  if (!given && filter.tree().root_motion() == body::RootMotion::kFree && filter.parameters().use_accelerometers) {
+    // Inclination of the root from the board on it.
+    for (std::size_t b = 0; b < model.boards.size() && !inclined; ++b) {
+      if (model.boards[b].segment == 0 && means[b].forces > 0) {
+        const Quaterniond rest = model.skeleton.segments.front().R_PL_rest;
+        const Vector3d up_W = rest * (model.boards[b].R_LS * Vector3d(means[b].f));
+        root.R_WL = geometry::shortest_arc(up_W, Vector3d::UnitZ()) * rest;
+        root.p_W = model.skeleton.segments.front().p_PL;
+        inclined = true;
+      }
+    }
+  }
+  filter.start(begin, given || inclined ? &root : nullptr);
+  // Gyroscopes that read the same all the time stand still: what they read is their bias (§5.4 of the paper).
+  BodyState state = filter.state();
+  for (std::size_t b = 0; b < means.size(); ++b) {
+    const Mean& mean = means[b];
+    if (mean.rates < 20 || filter.layout().gyroscope_bias[b] < 0) {
+      continue;
+    }
+    if (mean.spread() > kStill || (mean.w / mean.rates).norm() > kMostBias) {
+      found.push_back({Severity::kWarning, "body.not-still",
+                       "\"" + model.boards[b].name + "\" moved in the first second: its gyroscope's bias is not known",
+                       "begin with a second of standing still", model.boards[b].name, begin});
+      continue;
+    }
+    state.gyroscope_bias[b] = mean.w / mean.rates;
+    for (int i = 0; i < 3; ++i) {
+      filter.mutable_covariance().set_variance(filter.layout().gyroscope_bias[b] + i,
+                                               kBiasLeft * kBiasLeft + mean.spread() * mean.spread() / mean.rates);
+    }
+  }
+  filter.set_state(state);
+  return found;
+}
+
+}  // namespace limbwave::estimate

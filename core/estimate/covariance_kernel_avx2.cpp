@@ -1,0 +1,15 @@
+// Compiled for AVX2 without fused operations.
+#include "estimate/covariance_kernel.h"
+
+namespace limbwave::estimate {
+namespace {
+#include "estimate/covariance_kernel.inc"
+}  // namespace
+
+const CovarianceKernel& avx2_covariance_kernel();
+const CovarianceKernel& avx2_covariance_kernel() {
+  static constexpr CovarianceKernel kernel{downdate, multiply1, multiply3, subtract, mix_rows};
+  return kernel;
+}
+
+}  // namespace limbwave::estimate

@@ -1,0 +1,27 @@
+#include "estimate/covariance_kernel.h"
+
+namespace limbwave::estimate {
+namespace {
+#include "estimate/covariance_kernel.inc"
+}  // namespace
+
+const CovarianceKernel& portable_covariance_kernel() {
+  static constexpr CovarianceKernel kernel{downdate, multiply1, multiply3, subtract, mix_rows};
+  return kernel;
+}
+
+#ifdef LIMBWAVE_AVX2_KERNEL
+const CovarianceKernel& avx2_covariance_kernel();
+#endif
+
+const CovarianceKernel& covariance_kernel() {
+#ifdef LIMBWAVE_AVX2_KERNEL
+  static const bool avx2 = __builtin_cpu_supports("avx2") != 0;
+  if (avx2) {
+    return avx2_covariance_kernel();
+  }
+#endif
+  return portable_covariance_kernel();
+}
+
+}  // namespace limbwave::estimate

@@ -1,0 +1,91 @@
+/// Covariance of an error state and its exact Kalman update for sparse measurement rows, taken in chunks.
+///
+/// P stays symmetric by construction: P⁺ = P − WᵀW with W = L⁻¹ H P and S = H P Hᵀ + R = L Lᵀ, so that there is no
+/// gain whose rounding could make it asymmetric; the sum that is subtracted never exceeds P by more than rounding.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "estimate/covariance_kernel.h"
+
+namespace limbwave::estimate {
+
+/// Doubles aligned for the kernels.
+class AlignedRows {
+ public:
+  void resize(long rows, long columns);  ///< Keeps its memory when it shrinks. Content is undefined.
+  [[nodiscard]] double* row(long i) { return data_ + i * columns_; }
+  [[nodiscard]] const double* row(long i) const { return data_ + i * columns_; }
+  [[nodiscard]] long rows() const { return rows_; }
+  [[nodiscard]] long columns() const { return columns_; }
+
+  AlignedRows() = default;
+  AlignedRows(const AlignedRows& other) { *this = other; }
+  AlignedRows& operator=(const AlignedRows& other);
+  AlignedRows(AlignedRows&& other) noexcept { *this = std::move(other); }
+  AlignedRows& operator=(AlignedRows&& other) noexcept;
+  ~AlignedRows() = default;
+
+ private:
+  std::vector<double> memory_;
+  double* data_ = nullptr;
+  long rows_ = 0, columns_ = 0;
+};
+
+/// One to three scalar measurements that are accepted or rejected together: ν = z − h(x̂), Jacobian rows on `support`.
+struct MeasurementGroup {
+  int rows = 0;
+  std::vector<int> support;  ///< Indices of error states.
+  std::vector<double> H;     ///< H[s * rows + r].
+  double innovation[3] = {0, 0, 0};
+  double variance[3] = {0, 0, 0};
+  double gate = 0.0;  ///< Largest normalised innovation squared νᵀ S⁻¹ ν; 0: no gate.
+  /// Beyond the gate the group is not rejected but counts less (Huber): one that never errs grossly shall not be locked
+  /// out by a filter that is too sure of itself.
+  bool softened = false;
+  int tag = 0;  ///< The caller's.
+  // Results:
+  double nis = 0.0;
+  bool accepted = false;
+};
+
+/// What an update did, for the smoother: G = L⁻¹ H on `support`, W = L⁻¹ H P, e = L⁻¹ ν.
+struct UpdateRecord {
+  std::vector<int> support;
+  AlignedRows G;  ///< m × support, padded.
+  AlignedRows W;  ///< m × n.
+  std::vector<double> e;
+};
+
+class ErrorCovariance {
+ public:
+  explicit ErrorCovariance(int size);
+
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] long stride() const { return P_.columns(); }
+  [[nodiscard]] double* row(int i) { return P_.row(i); }
+  [[nodiscard]] const double* row(int i) const { return P_.row(i); }
+  [[nodiscard]] double operator()(int i, int j) const { return P_.row(i)[j]; }
+  [[nodiscard]] const CovarianceKernel& kernel() const { return *kernel_; }
+  void use(const CovarianceKernel& kernel) { kernel_ = &kernel; }
+
+  /// Sets a variance and clears the correlations of that state.
+  void set_variance(int i, double variance);
+  void add_variance(int i, double variance) { P_.row(i)[i] += variance; }
+  [[nodiscard]] Eigen::MatrixXd dense() const;
+  void set_dense(const Eigen::MatrixXd& P);
+
+  /// Updates by all accepted groups of [first, last) at once and adds the correction to `correction` (size()). Gates
+  /// every group by its own innovation. Returns the log likelihood of the accepted innovations.
+  double update(MeasurementGroup* first, MeasurementGroup* last, Eigen::VectorXd& correction,
+                UpdateRecord* record = nullptr);
+
+ private:
+  int size_;
+  AlignedRows P_, Y_;
+  Eigen::MatrixXd S_;
+  const CovarianceKernel* kernel_;
+};
+
+}  // namespace limbwave::estimate

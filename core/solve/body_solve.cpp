@@ -1,0 +1,171 @@
+#include "solve/body_solve.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json_reader.h"
+#include "base/units.h"
+#include "take/body_log.h"
+
+namespace limbwave::solve {
+namespace {
+
+// The first segment's poses of a simulated take.
+Result<std::vector<estimate::RootReading>> root_of_truth(const take::Take& take) {
+  std::error_code code;
+  if (std::filesystem::exists(take.folder / "truth.csv", code)) {
+    return take::read_root_of_truth(take.folder / "truth.csv", take.info.skeleton.segments.front().name);
+  }
+  const std::filesystem::path file = take.folder / "truth.json";
+  const Result<std::string> text = read_file(file, std::size_t{1} << 30);
+  if (!text) {
+    return Error{"has no truth", take.folder.string(), "give the root's path as a CSV file"};
+  }
+  const Result<nlohmann::json> json = parse_json(*text, file.string());
+  if (!json) {
+    return json.error();
+  }
+  std::vector<estimate::RootReading> path;
+  try {
+    const double rate = json->at("rate_hz").get<double>();
+    const nlohmann::json& root = json->at("segments").at(0);
+    const nlohmann::json& q = root.at("q_WL");
+    const nlohmann::json& p = root.at("p_WL");
+    for (std::size_t i = 0; i < q.size() && i < p.size(); ++i) {
+      if (!q[i].is_null() && !p[i].is_null()) {
+        path.push_back({static_cast<double>(i) / rate,
+                        Eigen::Quaterniond(q[i].at(0).get<double>(), q[i].at(1).get<double>(), q[i].at(2).get<double>(),
+                                           q[i].at(3).get<double>())
+                            .normalized(),
+                        Eigen::Vector3d(p[i].at(0).get<double>(), p[i].at(1).get<double>(), p[i].at(2).get<double>())});
+      }
+    }
+  } catch (const nlohmann::json::exception&) {
+    path.clear();
+  }
+  if (path.size() < 2) {
+    return Error{"does not tell where the root was", file.string(), "give the root's path as a CSV file"};
+  }
+  return path;
+}
+
+void report_counts(const std::string& what, const std::string& name, const estimate::ReadingCount& count,
+                   Diagnostics& diagnostics) {
+  const std::int64_t all = count.used + count.gated + count.clipped + count.not_finite;
+  const auto share = [&](std::int64_t part) { return 100.0 * static_cast<double>(part) / static_cast<double>(all); };
+  if (all > 0 && share(count.gated) > 5.0) {
+    diagnostics.push_back(
+        {Severity::kWarning, "body." + what + "-rejected",
+         fmt::format("{:.0f} % of {} readings of \"{}\" contradict all others", share(count.gated), what, name),
+         "check where it is worn, and its calibration", name});
+  }
+  if (all > 0 && share(count.clipped) > 1.0) {
+    diagnostics.push_back(
+        {Severity::kWarning, "body." + what + "-clipped",
+         fmt::format("{:.1f} % of {} readings of \"{}\" are beyond its range", share(count.clipped), what, name),
+         "such movements need sensors of a wider range", name});
+  }
+}
+
+}  // namespace
+
+estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings) {
+  estimate::BodyFilterParameters p;
+  const auto uses = [&](char sensor) { return settings.sensors.find(sensor) != std::string::npos; };
+  p.use_accelerometers = uses('A');
+  p.use_gyroscopes = uses('G');
+  p.use_ranges = uses('D');
+  p.root = settings.root == "fixed"      ? estimate::RootMode::kFixed
+           : settings.root == "contacts" ? estimate::RootMode::kContacts
+           : settings.root == "free"     ? estimate::RootMode::kFree
+                                         : estimate::RootMode::kGiven;
+  if (model.skeleton.segments.size() == 1) {
+    // A single thing in somebody's hand: where its sensor sits on it is all that is known, and it stays in reach.
+    p.mount_rotation = p.mount_place = p.bone_scale = 0.0;
+    p.root_speed = 0.3;
+    p.root_reach = 0.15;
+    p.acceleration_walk = 20000.0;
+    p.root_acceleration_walk = 300.0;
+    p.gyroscope_noise = p.gyroscope_relative = 0.005;
+    p.gyroscope_bias = 0.01;
+    p.gyroscope_bias_walk = 2e-4;
+    p.accelerometer_noise = 0.05;
+    p.accelerometer_relative = 0.01;
+    p.accelerometer_bias_walk = 1e-4;
+    p.gate_probability = 0.0;  // there is nothing that could contradict it
+  }
+  return p;
+}
+
+Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings, const BodySolveSettings& settings,
+                         const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const estimate::BodyModel model = estimate::body_model(take.info.rig, take.info.skeleton);
+  if (const std::string& root = settings.root; root == "truth" || root.find('.') != std::string::npos) {
+    Result<std::vector<estimate::RootReading>> path = root == "truth" ? root_of_truth(take) : take::read_root(root);
+    if (!path) {
+      return path.error();
+    }
+    readings.root = *std::move(path);
+  }
+  estimate::BodyFilterParameters parameters = body_parameters(model, settings);
+  if (model.boards.size() == 1 && readings.inertial.size() > 100) {
+    // As in strapdown integration, a reading is the mean over the interval that ends with it.
+    const auto& inertial = readings.inertial;
+    parameters.reading_delay_s =
+        0.5 * (inertial.back().time_s - inertial.front().time_s) / static_cast<double>(inertial.size() - 1);
+  }
+  Result<estimate::BodyRun> run = settings.smooth
+                                      ? estimate::smooth_body(model, parameters, readings, settings.rate_hz, progress)
+                                      : estimate::filter_body(model, parameters, readings, settings.rate_hz, progress);
+  if (!run) {
+    return run.error();
+  }
+  Solve solve;
+  solve.settings.name = settings.name;
+  solve.settings.smoothing = Smoothing::kNone;
+  const body::Skeleton& skeleton = take.info.skeleton;
+  motion::Clip& clip = solve.clip;
+  clip.name = settings.name;
+  clip.skeleton = skeleton;
+  clip.frame_rate_hz = settings.rate_hz;
+  clip.joints.resize(skeleton.segments.size());
+  const estimate::BodyTrack& track = run->track;
+  for (std::size_t s = 0; s < skeleton.segments.size(); ++s) {
+    motion::RotationTrack& rotation = clip.joints[s].rotation;
+    rotation.times = track.times;
+    rotation.values.reserve(track.times.size());
+    for (const auto& R_joint : track.R_joint) {
+      rotation.values.push_back((skeleton.segments[s].R_PL_rest * R_joint[s]).normalized());
+    }
+  }
+  clip.root_position.times = track.times;
+  clip.root_position.values = track.root_p_W;
+  solve.report.diagnostics = run->diagnostics;
+  for (std::size_t b = 0; b < model.boards.size(); ++b) {
+    report_counts("gyroscope", model.boards[b].name, run->gyroscopes[b], solve.report.diagnostics);
+    report_counts("accelerometer", model.boards[b].name, run->accelerometers[b], solve.report.diagnostics);
+  }
+  for (std::size_t s = 0; s < model.sources.size(); ++s) {
+    report_counts("range", model.sources[s].name, run->ranges[s], solve.report.diagnostics);
+  }
+  solve.report.calibration = "as read";
+  solve.report.take_seconds = track.times.empty() ? 0.0 : track.times.back() - track.times.front();
+  solve.report.solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return solve;
+}
+
+Result<Solve> solve_log(const take::Take& take, const BodySolveSettings& settings, const Progress& progress) {
+  Result<estimate::BodyReadings> readings =
+      take::read_logs_of(take, estimate::body_model(take.info.rig, take.info.skeleton));
+  if (!readings) {
+    return readings.error();
+  }
+  return solve_body(take, *std::move(readings), settings, progress);
+}
+
+}  // namespace limbwave::solve

@@ -1,0 +1,209 @@
+#include "solve/driver_box.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <map>
+
+#include "base/units.h"
+#include "take/take_reader.h"
+
+namespace limbwave::solve {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTemperature = 22.0;
+constexpr double kHumidity = 0.5;
+constexpr double kReachMargin = 1.05;  // bones longer than the rig's, placement
+constexpr std::size_t kBlockFrames = 28000;
+
+// The longest way along bones between points on two segments.
+double longest_way(const body::Skeleton& skeleton, int a, const Vector3d& p_a, int b, const Vector3d& p_b) {
+  std::vector<int> up;
+  for (int s = a; s >= 0; s = skeleton.segments[static_cast<std::size_t>(s)].parent) {
+    up.push_back(s);
+  }
+  // From b up to the first segment that both hang on; there the joints' distance counts.
+  double way = p_b.norm();
+  int s = b;
+  Vector3d from_b = p_b;
+  while (std::find(up.begin(), up.end(), s) == up.end()) {
+    const body::Segment& segment = skeleton.segments[static_cast<std::size_t>(s)];
+    from_b = segment.p_PL;
+    s = segment.parent;
+    if (std::find(up.begin(), up.end(), s) == up.end()) {
+      way += segment.p_PL.norm();
+    }
+  }
+  double way_a = p_a.norm();
+  Vector3d from_a = p_a;
+  for (const int t : up) {
+    if (t == s) {
+      break;
+    }
+    const body::Segment& segment = skeleton.segments[static_cast<std::size_t>(t)];
+    from_a = segment.p_PL;
+    if (segment.parent != s) {
+      way_a += segment.p_PL.norm();
+    }
+  }
+  const bool a_there = a == s;
+  const bool b_there = b == s;
+  if (a_there && b_there) {
+    return (p_a - p_b).norm();
+  }
+  return (a_there ? 0.0 : way_a) + (b_there ? 0.0 : way) + ((a_there ? p_a : from_a) - (b_there ? p_b : from_b)).norm();
+}
+
+}  // namespace
+
+calibrate::RangingCalibration ranging_calibration(const take::TakeInfo& info) {
+  if (info.ranging) {
+    return *info.ranging;
+  }
+  calibrate::RangingCalibration nominal;
+  nominal.method = "nominal";
+  nominal.speed_of_sound = calibrate::speed_of_sound(kTemperature, kHumidity);
+  return nominal;
+}
+
+decode::DriverBoxFormat driver_box_format(const body::Rig& rig, const body::Skeleton& skeleton,
+                                          const calibrate::RangingCalibration& calibration) {
+  assert(rig.driver_box);
+  const body::DriverBoxSignal& box = *rig.driver_box;
+  decode::DriverBoxFormat format;
+  format.rate = SampleRate{box.rate_hz};
+  format.words.word_rate_hz = box.word_rate_hz;
+  format.words.clock_tolerance = box.word_clock_tolerance;
+  format.words.gyroscope_range_rad_s = box.gyroscope_range_rad_s;
+  format.words.accelerometer_range_m_s2 = box.accelerometer_range_g * kStandardGravity;
+  format.words.carrier_hz = box.pulse_hz;
+
+  decode::RangingFormat common;
+  common.slot_samples = box.slot_samples;
+  common.pulse_hz = box.pulse_hz;
+  common.pulse_cycles = box.pulse_cycles;
+  common.transducer_q = box.transducer_q;
+  common.microphone_bandwidth_hz = box.microphone_bandwidth_hz;
+  common.level_m = box.source_level_m;
+  common.absorption_db_m = box.absorption_db_m;
+  common.radiation = box.radiation;
+  common.speed_of_sound = calibration.speed_of_sound;
+  const std::vector<body::Quaterniond> rest(skeleton.segments.size(), body::Quaterniond::Identity());
+  const auto poses = body::poses_from_joints(skeleton, rest, Vector3d::Zero());
+  std::map<int, int> sources_on;
+  int reference = 0;
+  for (const body::Source& source : rig.sources) {
+    const int segment = std::max(0, skeleton.find(source.segment));
+    if (++sources_on[segment] > sources_on[reference]) {
+      reference = segment;
+    }
+  }
+  const body::SegmentPose& frame = poses[static_cast<std::size_t>(reference)];
+  for (std::size_t s = 0; s < rig.sources.size(); ++s) {
+    const body::Source& worn = rig.sources[s];
+    const int segment = std::max(0, skeleton.find(worn.segment));
+    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
+    decode::RangingSource source;
+    source.position = frame.R_WL.conjugate() * Vector3d(pose.p_WL + pose.R_WL * worn.p_LS - frame.p_WL);
+    source.normal = frame.R_WL.conjugate() * Vector3d(pose.R_WL * worn.normal_L);
+    source.fixed = segment == reference;
+    if (s < calibration.sources.size()) {
+      source.delay_s = calibration.sources[s].delay_s;
+      source.phase = calibration.sources[s].phase;
+      source.phase_2 = calibration.sources[s].phase_2;
+      source.level = calibration.sources[s].level;
+    }
+    common.sources.push_back(source);
+  }
+  for (const body::Microphone& microphone : rig.microphones) {
+    decode::RangingFormat wire = common;
+    const int segment = std::max(0, skeleton.find(microphone.segment));
+    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
+    wire.receiver = frame.R_WL.conjugate() * Vector3d(pose.p_WL + pose.R_WL * microphone.p_LS - frame.p_WL);
+    for (std::size_t s = 0; s < rig.sources.size(); ++s) {
+      wire.sources[s].reach =
+          0.03 + kReachMargin * longest_way(skeleton, std::max(0, skeleton.find(rig.sources[s].segment)),
+                                            rig.sources[s].p_LS, segment, microphone.p_LS);
+    }
+    format.wires.push_back(std::move(wire));
+  }
+  return format;
+}
+
+Result<DriverBoxReport> decode_driver_box(const take::Take& take, const decode::DriverBoxParameters& parameters,
+                                          const DriverBoxSink& sink, const Progress& progress) {
+  const take::TakeInfo& info = take.info;
+  if (!info.rig.driver_box || static_cast<std::size_t>(info.format.channels) != info.rig.microphones.size()) {
+    return Error{fmt::format("has {} channels, but its rig is not that of a driver box with as many wires",
+                             info.format.channels),
+                 take.folder.string(), "use a take of a driver box"};
+  }
+  Result<take::TakeReader> reader = take::TakeReader::open(take);
+  if (!reader) {
+    return reader.error();
+  }
+  std::vector<std::pair<std::int64_t, std::int64_t>> gaps;
+  for (const take::TakeEvent& event : take.events) {
+    if (event.kind == "dropped" && event.count > 0) {
+      gaps.emplace_back(event.sample.value, event.sample.value + event.count);
+    }
+  }
+  std::sort(gaps.begin(), gaps.end());
+  const auto start = std::chrono::steady_clock::now();
+  decode::DriverBoxFormat format = driver_box_format(info.rig, info.skeleton, ranging_calibration(info));
+  format.rate = info.format.rate;
+  decode::DriverBoxDecoder decoder(format, parameters);
+  const auto wires = static_cast<std::size_t>(info.format.channels);
+  std::vector<float> block(kBlockFrames * wires);
+  const double total = std::max<double>(1.0, static_cast<double>(reader->frames()));
+  std::int64_t at = 0;
+  std::size_t gap = 0;
+  while (true) {
+    if (!progress.report(static_cast<double>(at) / total, "decoding")) {
+      return cancelled();
+    }
+    const Result<std::size_t> count = reader->next(block);
+    if (!count) {
+      return count.error();
+    }
+    const auto frames = static_cast<std::int64_t>(*count);
+    // What was filled up where blocks were lost is not a signal.
+    for (std::int64_t done = 0; done < frames;) {
+      while (gap < gaps.size() && gaps[gap].second <= at + done) {
+        ++gap;
+      }
+      const std::int64_t begin = gap < gaps.size() ? gaps[gap].first : INT64_MAX;
+      const bool inside = begin <= at + done;
+      const std::int64_t until = std::min(frames, (inside ? gaps[gap].second : begin) - at);
+      if (inside) {
+        decoder.gap(SampleCount{until - done});
+      } else {
+        decoder.push(std::span(block).subspan(static_cast<std::size_t>(done) * wires,
+                                              static_cast<std::size_t>(until - done) * wires));
+      }
+      done = until;
+    }
+    at += frames;
+    if (frames == 0) {
+      decoder.finish();
+    }
+    if (Status status = sink(decoder.take_ranges(), decoder.take_inertial()); !status) {
+      return status.error();
+    }
+    if (frames == 0) {
+      break;
+    }
+  }
+  DriverBoxReport report;
+  for (std::size_t w = 0; w < wires; ++w) {
+    report.words.push_back(decoder.words(static_cast<int>(w)));
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace limbwave::solve

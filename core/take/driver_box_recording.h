@@ -1,0 +1,29 @@
+/// Records a take from a driver box, through everything that its line may do.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "acquire/driver_box.h"
+#include "base/result.h"
+#include "take/take.h"
+
+namespace limbwave::take {
+
+struct DriverBoxProgress {
+  double seconds = 0.0;  ///< Recorded, gaps included.
+  double disk_left_s = 0.0;
+  bool connected = true;
+  acquire::BoxCounters counters;
+  acquire::BoxStatus status;
+};
+
+/// Starts the box, writes what comes until `go_on` answers false, and stops it. Lost samples are zeros, with one event
+/// "dropped" for every gap that says how many; other events are those of acquire/driver_box.h. The rig must have as
+/// many wires and the same rate as the box. `first` on how the take begins: sample 0 is the box's sample 0.
+Result<Take> record_driver_box(const std::filesystem::path& folder, acquire::DriverBox& box, const body::Rig& rig,
+                               const body::Skeleton& skeleton, const std::string& subject,
+                               const std::function<bool(const DriverBoxProgress&)>& go_on);
+
+}  // namespace limbwave::take

@@ -1,0 +1,160 @@
+#include "decode/pulse_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/units.h"
+#include "body/rig.h"
+#include "decode/ranging.h"
+#include "simulate/sound_pulse.h"
+
+namespace limbwave::decode {
+namespace {
+
+constexpr double kRate = 140000.0;
+constexpr double kSpeed = 344.6;
+
+RangingFormat one_source() {
+  RangingFormat format;
+  format.sources.resize(1);
+  format.sources[0].reach = 2.4;
+  format.speed_of_sound = kSpeed;
+  return format;
+}
+
+// One slot with a pulse of amplitude 1 that begins `delay_s` after its start, and white noise.
+std::vector<float> slot_with(double delay_s, double noise, std::mt19937_64& random, double phase = 0.0,
+                             double rate_of_time = 1.0) {
+  const simulate::SoundPulse pulse{body::DriverBoxSignal{}};
+  std::vector<float> samples(2 * 1120, 0.0F);
+  pulse.add(samples.data(), 1120, -delay_s, 1.0 / kRate, rate_of_time, 0.1, phase);
+  std::normal_distribution<float> normal(0.0F, 1.0F);
+  for (float& sample : samples) {
+    sample += static_cast<float>(noise) * normal(random);
+  }
+  return samples;
+}
+
+RangeReading range_of(const std::vector<float>& samples, RangingMethod method) {
+  RangingParameters parameters;
+  parameters.method = method;
+  static const auto shape = RangingDecoder(one_source(), SampleRate{kRate}, 0).shape();
+  RangingDecoder decoder(one_source(), SampleRate{kRate}, 0, parameters, shape);
+  decoder.push(samples.data(), samples.size(), 1);
+  return decoder.take_readings().front();
+}
+
+// σ of a sample for an in-band (5 kHz) peak SNR.
+double noise_for(double snr_db) {
+  return std::sqrt(0.5 * 0.01 * std::pow(10.0, -snr_db / 10.0) * 0.5 * kRate / 5000.0);
+}
+
+// Cramér–Rao bound of the delay of a pulse A e(t - d) cos(2 pi f t + p) in white noise, amplitude and phase unknown:
+// var(d) = σ² / (½ A² Σ (e'² - (Σ e e')² / Σ e²)) for a carrier that is fast against the envelope. The carrier itself
+// tells nothing when its phase is unknown.
+double bound_s(double noise) {
+  const simulate::SoundPulse pulse{body::DriverBoxSignal{}};
+  double ee = 0.0;
+  double ed = 0.0;
+  double dd = 0.0;
+  for (int n = 0; n < 600; ++n) {
+    const double t = n / kRate;
+    const double e = pulse.envelope(t);
+    const double d = (pulse.envelope(t + 1e-7) - pulse.envelope(t - 1e-7)) / 2e-7;
+    ee += e * e;
+    ed += e * d;
+    dd += d * d;
+  }
+  return noise / (0.1 * std::sqrt(0.5 * (dd - ed * ed / ee)));
+}
+
+struct Errors {
+  double mean_mm = 0.0, sd_mm = 0.0;
+  int heard = 0;
+};
+
+Errors envelope_errors(RangingMethod method, double snr_db, int trials) {
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> range(0.3, 1.5);
+  std::uniform_real_distribution<double> turn(0.0, 6.28);
+  Errors errors;
+  double sum = 0.0;
+  double square = 0.0;
+  for (int i = 0; i < trials; ++i) {
+    const double r = range(random);
+    const RangeReading reading = range_of(slot_with(r / kSpeed, noise_for(snr_db), random, turn(random)), method);
+    if (!std::isfinite(reading.envelope_range)) {
+      continue;
+    }
+    const double error = 1e3 * (reading.envelope_range - r);
+    ++errors.heard;
+    errors.mean_mm += std::abs(error);
+    sum += error;
+    square += error * error;
+  }
+  errors.mean_mm /= errors.heard;
+  errors.sd_mm = std::sqrt(square / errors.heard - std::pow(sum / errors.heard, 2));
+  return errors;
+}
+
+TEST(PulseFinder, EnvelopeReachesItsBound) {
+  for (const double snr : {15.0, 20.0, 25.0, 30.0, 35.0, 40.0}) {
+    const Errors errors = envelope_errors(RangingMethod::kEnvelope, snr, 600);
+    const double bound_mm = 1e3 * kSpeed * bound_s(noise_for(snr));
+    std::printf("%2.0f dB: sd %.3f mm, bound %.3f mm, ratio %.3f\n", snr, errors.sd_mm, bound_mm,
+                errors.sd_mm / bound_mm);
+    EXPECT_GT(errors.heard, 590);
+    // 600 trials give the deviation to 3 %.
+    EXPECT_LT(errors.sd_mm, 1.2 * bound_mm) << snr;
+    EXPECT_GT(errors.sd_mm, 0.85 * bound_mm) << snr;
+  }
+}
+
+TEST(PulseFinder, PaperMethodAsInThePaper) {
+  const Errors errors = envelope_errors(RangingMethod::kPaper, 25.0, 600);
+  std::printf("paper at 25 dB: mean %.2f mm, sd %.2f mm\n", errors.mean_mm, errors.sd_mm);
+  EXPECT_LE(errors.mean_mm, 2.4);
+  EXPECT_LE(errors.sd_mm, 2.8);
+}
+
+TEST(PulseFinder, WithoutNoiseBothAreExact) {
+  std::mt19937_64 random(2);
+  for (const double r : {0.12, 0.31, 0.7003, 1.234, 2.1}) {
+    const RangeReading reading = range_of(slot_with(r / kSpeed, 1e-7, random), RangingMethod::kEnvelope);
+    EXPECT_NEAR(reading.envelope_range, r, 0.03e-3) << r;
+    const double wavelength = kSpeed / 40000.0;
+    const double left = reading.phase_range - std::fmod(r, wavelength);
+    EXPECT_NEAR(left - wavelength * std::round(left / wavelength), 0.0, 0.02e-3) << r;
+  }
+}
+
+TEST(PulseFinder, FirstArrivalNotStrongest) {
+  std::mt19937_64 random(3);
+  const simulate::SoundPulse pulse{body::DriverBoxSignal{}};
+  for (const double later : {0.15, 0.2, 0.3, 0.6}) {
+    std::vector<float> samples = slot_with(0.5 / kSpeed, noise_for(40.0), random);
+    pulse.add(samples.data(), 1120, -(0.5 + later) / kSpeed, 1.0 / kRate, 1.0, 0.16, 1.0);
+    const RangeReading reading = range_of(samples, RangingMethod::kEnvelope);
+    EXPECT_NEAR(reading.envelope_range, 0.5, 3e-3) << later;
+  }
+}
+
+// A pulse from a limb that moves is heard faster or slower; its middle tells the range at its middle.
+TEST(PulseFinder, MovementDoesNotMatterAtThePulsesMiddle) {
+  std::mt19937_64 random(4);
+  const double middle = RangingDecoder(one_source(), SampleRate{kRate}, 0).shape()->centroid_s();
+  const double wavelength = kSpeed / 40000.0;
+  for (const double speed : {-3.0, -1.0, 1.0, 3.0}) {
+    const double r = 0.8;
+    const RangeReading reading =
+        range_of(slot_with(r / kSpeed, 1e-7, random, 0.0, 1.0 / (1.0 + speed / kSpeed)), RangingMethod::kEnvelope);
+    const double left = reading.phase_range - std::fmod(r + speed * middle, wavelength);
+    EXPECT_NEAR(left - wavelength * std::round(left / wavelength), 0.0, 0.05e-3) << speed;
+    EXPECT_NEAR(reading.envelope_range, r + speed * middle, 1.5e-3) << speed;
+  }
+}
+
+}  // namespace
+}  // namespace limbwave::decode

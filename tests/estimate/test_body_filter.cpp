@@ -1,0 +1,430 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/units.h"
+#include "estimate/body_filter.h"
+#include "estimate/body_smoother.h"
+#include "support/random_skeleton.h"
+
+namespace limbwave::estimate {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using testing_support::random_skeleton;
+using testing_support::random_vector;
+
+MatrixXd random_covariance(int n, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  MatrixXd A(n, n);
+  for (double& a : A.reshaped()) {
+    a = normal(random);
+  }
+  return A * A.transpose() / n + 0.1 * MatrixXd::Identity(n, n);
+}
+
+MeasurementGroup random_group(int rows, int n, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  MeasurementGroup group;
+  group.rows = rows;
+  for (int i = 0; i < n; ++i) {
+    if (normal(random) > 0.3) {
+      group.support.push_back(i);
+      for (int r = 0; r < rows; ++r) {
+        group.H.push_back(normal(random));
+      }
+    }
+  }
+  for (int r = 0; r < rows; ++r) {
+    group.innovation[r] = normal(random);
+    group.variance[r] = 0.5 + std::abs(normal(random));
+  }
+  return group;
+}
+
+// The textbook's update, in Joseph's form.
+void dense_update(const std::vector<MeasurementGroup>& groups, MatrixXd& P, VectorXd& x) {
+  for (const MeasurementGroup& g : groups) {
+    MatrixXd H = MatrixXd::Zero(g.rows, P.rows());
+    MatrixXd R = MatrixXd::Zero(g.rows, g.rows);
+    VectorXd nu(g.rows);
+    for (int r = 0; r < g.rows; ++r) {
+      for (std::size_t s = 0; s < g.support.size(); ++s) {
+        H(r, g.support[s]) += g.H[s * static_cast<std::size_t>(g.rows) + static_cast<std::size_t>(r)];
+      }
+      R(r, r) = g.variance[r];
+      nu[r] = g.innovation[r];
+    }
+    const MatrixXd S = H * P * H.transpose() + R;
+    const MatrixXd K = P * H.transpose() * S.inverse();
+    x += K * (nu - H * x);
+    const MatrixXd I_KH = MatrixXd::Identity(P.rows(), P.cols()) - K * H;
+    P = I_KH * P * I_KH.transpose() + K * R * K.transpose();
+  }
+}
+
+TEST(ErrorCovariance, UpdatesAsTheTextbookDoes) {
+  std::mt19937 random(3);
+  for (const int n : {5, 8, 17, 70}) {
+    MatrixXd P = random_covariance(n, random);
+    ErrorCovariance fast(n);
+    fast.set_dense(P);
+    std::vector<MeasurementGroup> groups;
+    for (const int rows : {3, 1, 3, 3, 1}) {
+      groups.push_back(random_group(rows, n, random));
+    }
+    VectorXd x = VectorXd::Zero(n);
+    VectorXd correction = VectorXd::Zero(n);
+    dense_update(groups, P, x);
+    fast.update(groups.data(), groups.data() + groups.size(), correction);
+    EXPECT_LT((fast.dense() - P).norm(), 1e-11 * P.norm());
+    EXPECT_LT((correction - x).norm(), 1e-11 * (1.0 + x.norm()));
+    EXPECT_EQ((fast.dense() - fast.dense().transpose()).norm(), 0.0);
+  }
+}
+
+TEST(ErrorCovariance, AGatedGroupChangesNothing) {
+  std::mt19937 random(4);
+  const int n = 12;
+  const MatrixXd P = random_covariance(n, random);
+  std::vector<MeasurementGroup> groups{random_group(3, n, random), random_group(1, n, random)};
+  ErrorCovariance with(n);
+  ErrorCovariance without(n);
+  with.set_dense(P);
+  without.set_dense(P);
+  VectorXd a = VectorXd::Zero(n);
+  VectorXd b = a;
+  groups[0].innovation[1] = 1e3;
+  groups[0].gate = 20.0;
+  with.update(groups.data(), groups.data() + 2, a);
+  without.update(groups.data() + 1, groups.data() + 2, b);
+  EXPECT_FALSE(groups[0].accepted);
+  EXPECT_EQ((with.dense() - without.dense()).norm(), 0.0);
+  EXPECT_EQ((a - b).norm(), 0.0);
+}
+
+TEST(ErrorCovariance, IsTheSameOnEveryProcessor) {
+  std::mt19937 random(5);
+  const int n = 77;
+  const MatrixXd P = random_covariance(n, random);
+  std::vector<MeasurementGroup> groups;
+  for (int i = 0; i < 5; ++i) {
+    groups.push_back(random_group(3, n, random));
+  }
+  MatrixXd results[2];
+  for (int i = 0; i < 2; ++i) {
+    ErrorCovariance covariance(n);
+    covariance.use(i == 0 ? covariance_kernel() : portable_covariance_kernel());
+    covariance.set_dense(P);
+    VectorXd x = VectorXd::Zero(n);
+    covariance.update(groups.data(), groups.data() + groups.size(), x);
+    results[i] = covariance.dense();
+  }
+  EXPECT_EQ((results[0] - results[1]).norm(), 0.0);
+}
+
+// A wearer who moves just as the filter's model says, from a start drawn from its prior, with readings drawn from the
+// errors that it models.
+class Drawn {
+ public:
+  Drawn(unsigned seed, const BodyFilterParameters& parameters) : random_(seed), parameters_(parameters) {
+    body::Skeleton skeleton = random_skeleton(random_, 5);
+    for (body::Segment& segment : skeleton.segments) {
+      segment.p_PL *= 1.5;
+    }
+    model.skeleton = skeleton;
+    for (std::size_t s = 0; s < skeleton.segments.size(); ++s) {
+      BodyBoard board;
+      board.name = skeleton.segments[s].name;
+      board.segment = static_cast<int>(s);
+      board.R_LS = geometry::exp_so3(random_vector(random_, 1.0));
+      board.p_LS = random_vector(random_, 0.1);
+      board.gyroscope = board.accelerometer = board.microphone = true;
+      model.boards.push_back(board);
+    }
+    for (int s = 0; s < 2; ++s) {
+      model.sources.push_back({"source " + std::to_string(s), s, random_vector(random_, 0.3), Vector3d::UnitX()});
+    }
+  }
+
+  double normal() { return normal_(random_); }
+
+  void start(BodyFilter& filter) {
+    filter.start(0.0, nullptr);
+    const ErrorCovariance& P = filter.covariance();
+    VectorXd x(P.size());
+    for (int i = 0; i < P.size(); ++i) {
+      x[i] = std::sqrt(P(i, i)) * normal();
+    }
+    truth = filter.state();
+    filter.inject(truth, x);
+  }
+
+  void move(const BodyFilter& filter, double dt) {
+    const int n = filter.layout().dofs;
+    Eigen::Matrix3d Q;
+    Q << std::pow(dt, 5) / 20, std::pow(dt, 4) / 8, std::pow(dt, 3) / 6, std::pow(dt, 4) / 8, std::pow(dt, 3) / 3,
+        dt * dt / 2, std::pow(dt, 3) / 6, dt * dt / 2, dt;
+    const Eigen::Matrix3d L = Q.llt().matrixL();
+    body::TreeState& joints = truth.joints;
+    VectorXd delta = dt * joints.qd + 0.5 * dt * dt * joints.qdd;
+    for (const body::TreeLink& link : filter.tree().links()) {
+      if (link.kind == body::LinkKind::kBall) {
+        const Vector3d w = joints.qd.segment<3>(link.first);
+        const Vector3d al = joints.qdd.segment<3>(link.first);
+        delta.segment<3>(link.first) += dt * dt * dt / 12.0 * w.cross(al);
+      }
+    }
+    joints.qd += dt * joints.qdd;
+    for (int i = 0; i < n; ++i) {
+      const Vector3d w = parameters_.acceleration_walk * (L * Vector3d(normal(), normal(), normal()));
+      delta[i] += w[0];
+      joints.qd[i] += w[1];
+      joints.qdd[i] += w[2];
+    }
+    filter.tree().add(joints, delta);
+    truth.time_s += dt;
+  }
+
+  void measure(const BodyFilter& filter, bool ranges, BodyReadings& readings) {
+    body::TreeKinematics kinematics(filter.tree());
+    std::vector<double> scale;
+    for (const body::TreeLink& link : filter.tree().links()) {
+      scale.push_back(link.parent < 0
+                          ? 1.0
+                          : 1.0 + truth.bone_scale[static_cast<std::size_t>(
+                                      filter.tree().links()[static_cast<std::size_t>(link.parent)].segment)]);
+    }
+    kinematics.update(truth.joints, scale);
+    const auto noise = [&](double sigma) { return Vector3d(sigma * Vector3d(normal(), normal(), normal())); };
+    std::vector<body::TreeKinematics::PointMotion> places;
+    for (std::size_t b = 0; b < model.boards.size(); ++b) {
+      const BodyBoard& board = model.boards[b];
+      const int link = filter.tree().link_of(board.segment);
+      const auto point = kinematics.point(link, board.p_LS + truth.mount_place[b]);
+      places.push_back(point);
+      const Eigen::Matrix3d R_SW =
+          (kinematics.link(link).R_WL * (board.R_LS * truth.mount_rotation[b]).toRotationMatrix()).transpose();
+      InertialReading reading;
+      reading.time_s = truth.time_s;
+      reading.board = static_cast<int>(b);
+      reading.w_S = R_SW * kinematics.link(link).w + truth.gyroscope_bias[b] + noise(parameters_.gyroscope_noise);
+      reading.f_S = R_SW * (point.a + Vector3d(0, 0, kStandardGravity)) + truth.accelerometer_bias[b] +
+                    noise(parameters_.accelerometer_noise);
+      readings.inertial.push_back(reading);
+    }
+    for (std::size_t s = 0; ranges && s < model.sources.size(); ++s) {
+      const int link = filter.tree().link_of(model.sources[s].segment);
+      const Vector3d from = kinematics.point(link, model.sources[s].p_LS + truth.source_place[s]).p;
+      for (std::size_t b = 0; b < places.size(); ++b) {
+        const double flight = (places[b].p - from).norm() / 343.0;
+        readings.ranges.push_back({truth.time_s, static_cast<int>(s), static_cast<int>(b),
+                                   (1.0 + truth.sound_scale) * (places[b].p + flight * places[b].v - from).norm() +
+                                       parameters_.range_noise * normal(),
+                                   1.0});
+      }
+    }
+  }
+
+  // The filter's error as an error state.
+  [[nodiscard]] VectorXd error(const BodyFilter& filter) const {
+    const BodyLayout& layout = filter.layout();
+    const BodyState& x = filter.state();
+    VectorXd e = VectorXd::Zero(layout.size);
+    const int n = layout.dofs;
+    e.head(n) = filter.tree().difference(x.joints, truth.joints);
+    e.segment(n, n) = truth.joints.qd - x.joints.qd;
+    e.segment(2 * n, n) = truth.joints.qdd - x.joints.qdd;
+    for (std::size_t b = 0; b < model.boards.size(); ++b) {
+      const auto put = [&](const std::vector<int>& first, const Vector3d& value) {
+        if (first[b] >= 0) {
+          e.segment<3>(first[b]) = value;
+        }
+      };
+      put(layout.gyroscope_bias, truth.gyroscope_bias[b] - x.gyroscope_bias[b]);
+      put(layout.accelerometer_bias, truth.accelerometer_bias[b] - x.accelerometer_bias[b]);
+      put(layout.mount_place, truth.mount_place[b] - x.mount_place[b]);
+      put(layout.mount_rotation, geometry::log_so3(x.mount_rotation[b].conjugate() * truth.mount_rotation[b]));
+    }
+    for (std::size_t s = 0; s < model.sources.size(); ++s) {
+      if (layout.source_place[s] >= 0) {
+        e.segment<3>(layout.source_place[s]) = truth.source_place[s] - x.source_place[s];
+      }
+    }
+    for (std::size_t s = 0; s < layout.bone_scale.size(); ++s) {
+      if (layout.bone_scale[s] >= 0) {
+        e[layout.bone_scale[s]] = truth.bone_scale[s] - x.bone_scale[s];
+      }
+    }
+    if (layout.sound_scale >= 0) {
+      e[layout.sound_scale] = truth.sound_scale - x.sound_scale;
+    }
+    return e;
+  }
+
+  BodyModel model;
+  BodyState truth;
+
+ private:
+  std::mt19937 random_;
+  std::normal_distribution<double> normal_;
+  BodyFilterParameters parameters_;
+};
+
+BodyFilterParameters modelled_errors_only() {
+  BodyFilterParameters p;
+  p.root = RootMode::kFixed;
+  p.gyroscope_noise = 0.02;
+  p.accelerometer_noise = 0.2;
+  p.range_noise = 0.005;
+  p.range_model = 0.0;
+  p.gyroscope_relative = p.accelerometer_relative = 0.0;
+  // Small enough that products of two errors, which no extended Kalman filter models, stay below the noise.
+  p.acceleration_walk = 2.0;
+  p.start_rate = 0.05;
+  p.start_acceleration = 0.5;
+  p.bone_scale = 0.01;
+  p.gyroscope_bias_walk = p.accelerometer_bias_walk = p.mount_rotation_walk = p.mount_place_walk = 0.0;
+  p.range_offset_walk = p.sound_scale_walk = 0.0;
+  p.mount_rotation = 0.01;
+  p.rest_pose = 0.02;
+  p.limit_softness = 0.0;
+  p.gate_probability = 0.0;
+  return p;
+}
+
+// The normalised estimation error squared is χ² with as many degrees of freedom as there are states: the mean over runs
+// lies within its 99.9 % bounds. A wrong Jacobian, a missing term of the process or a wrong variance would show.
+TEST(BodyFilter, IsConsistentWhereItModelsTheErrors) {
+  const BodyFilterParameters p = modelled_errors_only();
+  constexpr int kRuns = 30;
+  constexpr double kRate = 100.0;
+  double sum[3] = {0, 0, 0};
+  double freedom = 0.0;
+  for (int run = 0; run < kRuns; ++run) {
+    Drawn drawn(static_cast<unsigned>(run), p);
+    BodyFilter filter(drawn.model, p);
+    drawn.start(filter);
+    freedom += filter.layout().size;
+    for (int k = 1; k <= 150; ++k) {
+      drawn.move(filter, 1.0 / kRate);
+      BodyReadings readings;
+      drawn.measure(filter, k % 5 == 0, readings);
+      for (const BodyInstant& instant : instants_of(readings)) {
+        filter.step(instant, nullptr);
+      }
+      if (k % 50 == 0) {
+        const VectorXd e = drawn.error(filter);
+        sum[k / 50 - 1] += e.dot(filter.covariance().dense().ldlt().solve(e));
+      }
+    }
+  }
+  for (const double nees : sum) {
+    EXPECT_NEAR(nees / freedom, 1.0, 3.3 * std::sqrt(2.0 / freedom)) << nees << " of " << freedom;
+  }
+}
+
+TEST(BodySmoother, IsBetterThanTheFilterAndEqualAtTheEnd) {
+  BodyFilterParameters p = modelled_errors_only();
+  double filter_square = 0.0;
+  double smoother_square = 0.0;
+  for (unsigned seed = 40; seed < 46; ++seed) {
+    Drawn drawn(seed, p);
+    BodyFilter filter(drawn.model, p);
+    drawn.start(filter);
+    BodyReadings readings;
+    std::vector<std::vector<Eigen::Quaterniond>> truth;
+    for (int k = 1; k <= 200; ++k) {
+      drawn.move(filter, 0.01);
+      drawn.measure(filter, k % 10 == 0, readings);
+      truth.push_back(filter.tree().segment_rotations(drawn.truth.joints));
+    }
+    // Root kFixed starts at rest in both; stretches shorter than the recording.
+    const auto forward = filter_body(drawn.model, p, readings, 1000.0, {});
+    const auto both = smooth_body(drawn.model, p, readings, 1000.0, {}, 0.3);
+    const auto other_stretches = smooth_body(drawn.model, p, readings, 1000.0, {}, 10.0);
+    ASSERT_TRUE(forward.ok() && both.ok() && other_stretches.ok());
+    ASSERT_EQ(both->track.times.size(), truth.size());
+    ASSERT_EQ(forward->track.times.size(), truth.size());
+    for (std::size_t k = 0; k < truth.size(); ++k) {
+      for (std::size_t s = 0; s < truth[k].size(); ++s) {
+        const double f = geometry::geodesic_angle(truth[k][s], forward->track.R_joint[k][s]);
+        const double b = geometry::geodesic_angle(truth[k][s], both->track.R_joint[k][s]);
+        filter_square += f * f;
+        smoother_square += b * b;
+        EXPECT_LT(geometry::geodesic_angle(both->track.R_joint[k][s], other_stretches->track.R_joint[k][s]), 1e-9);
+        if (k + 1 == truth.size()) {
+          EXPECT_LT(geometry::geodesic_angle(forward->track.R_joint[k][s], both->track.R_joint[k][s]), 1e-9);
+        }
+      }
+    }
+  }
+  EXPECT_LT(std::sqrt(smoother_square), 0.85 * std::sqrt(filter_square));
+}
+
+TEST(BodyFilter, ResumesFromItsSnapshotBitByBit) {
+  const BodyFilterParameters p = modelled_errors_only();
+  Drawn drawn(77, p);
+  BodyFilter whole(drawn.model, p);
+  BodyFilter second(drawn.model, p);
+  drawn.start(whole);
+  BodyReadings readings;
+  for (int k = 1; k <= 60; ++k) {
+    drawn.move(whole, 0.01);
+    drawn.measure(whole, k % 10 == 0, readings);
+  }
+  const auto instants = instants_of(readings);
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    if (i == instants.size() / 2) {
+      second.resume(whole.snapshot());
+    }
+    whole.step(instants[i], nullptr);
+    if (i >= instants.size() / 2) {
+      second.step(instants[i], nullptr);
+    }
+  }
+  EXPECT_EQ((whole.covariance().dense() - second.covariance().dense()).norm(), 0.0);
+  EXPECT_EQ(whole.tree().difference(whole.state().joints, second.state().joints).norm(), 0.0);
+}
+
+TEST(BodyFilter, OutliersAndMissingReadingsDoNotHarm) {
+  BodyFilterParameters p = modelled_errors_only();
+  p.gate_probability = 1e-6;
+  Drawn drawn(5, p);
+  BodyFilter filter(drawn.model, p);
+  drawn.start(filter);
+  for (int k = 1; k <= 300; ++k) {
+    drawn.move(filter, 0.01);
+    BodyReadings readings;
+    drawn.measure(filter, true, readings);
+    for (std::size_t i = 0; i < readings.ranges.size(); ++i) {
+      if ((i + static_cast<std::size_t>(k)) % 3 == 0) {
+        readings.ranges[i].range += 0.3;
+      }
+    }
+    readings.inertial[1].w_S.setConstant(kMissing);
+    readings.inertial[2].f_S.x() = INFINITY;
+    for (const BodyInstant& instant : instants_of(readings)) {
+      filter.step(instant, nullptr);
+    }
+  }
+  const VectorXd e = drawn.error(filter);
+  ASSERT_TRUE(e.allFinite());
+  EXPECT_LT(e.head(filter.layout().dofs).norm() / std::sqrt(filter.layout().dofs), radians(3.0));
+  EXPECT_GT(filter.range_counts()[0].gated, 100);
+  EXPECT_GT(filter.accelerometer_counts()[2].not_finite, 250);
+}
+
+TEST(ChiSquare, HasTheTablesQuantiles) {
+  EXPECT_NEAR(chi_square_limit(1, 0.01), 6.6349, 1e-3);
+  EXPECT_NEAR(chi_square_limit(2, 0.05), 5.9915, 1e-3);
+  EXPECT_NEAR(chi_square_limit(3, 0.01), 11.3449, 1e-3);
+  EXPECT_NEAR(chi_square_limit(3, 1e-4), 21.1075, 1e-3);
+}
+
+}  // namespace
+}  // namespace limbwave::estimate
