@@ -10,6 +10,7 @@
 #include "interchange/file_axes.h"
 #include "interchange/frame_rate.h"
 #include "interchange/gltf_bones.h"
+#include "interchange/gltf_embedded.h"
 #include "interchange/gltf_file.h"
 #include "interchange/gltf_mesh_reader.h"
 #include "interchange/gltf_model.h"
@@ -289,11 +290,15 @@ struct LoadedGltf {
   std::size_t size = 0;  // of the file, bytes
 };
 
-// The file's bytes are given back: the model holds them once more, and the keys will.
-LoadedGltf loaded(const std::filesystem::path& path) {
-  const Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
+// The file's bytes are given back: the model holds them once more, and the keys will. `lean`: text files in less
+// memory, for those that Limbwave wrote.
+LoadedGltf loaded(const std::filesystem::path& path, bool lean) {
+  Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
   if (!bytes) {
     return {bytes.error()};
+  }
+  if (lean) {
+    bytes = gltf_as_binary(*std::move(bytes));
   }
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   return {parse_gltf(*bytes, path.string(), folder), bytes->size()};
@@ -307,7 +312,7 @@ Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::s
 }
 
 Result<std::vector<motion::Clip>> load_gltf(const std::filesystem::path& path, Diagnostics* diagnostics) {
-  const LoadedGltf file = loaded(path);
+  const LoadedGltf file = loaded(path, false);
   return clips_of(file.model, file.size, path.string(), diagnostics);
 }
 
@@ -334,7 +339,7 @@ GltfPlayback::GltfPlayback(GltfPlayback&&) noexcept = default;
 GltfPlayback::~GltfPlayback() = default;
 
 Result<GltfPlayback> GltfPlayback::open(const std::filesystem::path& path) {
-  auto state = std::make_unique<State>(State{loaded(path), path.string(), {}, {}, {}});
+  auto state = std::make_unique<State>(State{loaded(path, true), path.string(), {}, {}, {}});
   if (Status status = state->load(0.0); !status) {
     return status.error();
   }

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "interchange/frame_rate.h"
-
 namespace limbwave::interchange {
 namespace {
 
@@ -31,14 +29,6 @@ std::vector<std::size_t> depth_first(const std::vector<int>& parents) {
   return order;
 }
 
-std::vector<int> parents_of(const body::Skeleton& skeleton) {
-  std::vector<int> parents;
-  for (const body::Segment& segment : skeleton.segments) {
-    parents.push_back(segment.parent);
-  }
-  return parents;
-}
-
 // Remembers the worst distance; false when it is too large.
 bool note(ReadBack& result, double distance, const std::string& joint, double time_s, double tolerance_m) {
   if (distance > result.worst_m || !std::isfinite(distance)) {
@@ -60,8 +50,8 @@ JointPaths joint_paths(const motion::Clip& clip) {
   JointPaths paths;
   for (const body::Segment& segment : clip.skeleton.segments) {
     paths.names.push_back(segment.name);
+    paths.parents.push_back(segment.parent);
   }
-  paths.parents = parents_of(clip.skeleton);
   paths.frame_rate_hz = clip.frame_rate_hz;
   paths.times_s = motion::key_times(clip);
   if (paths.times_s.empty()) {
@@ -124,24 +114,6 @@ Result<ReadBack> compare_paths(const std::vector<JointPaths>& meant, const std::
     }
   }
   return result;
-}
-
-Result<ReadBack> compare_clips(const std::vector<JointPaths>& meant, const std::vector<motion::Clip>& read,
-                               bool single_times, double tolerance_m, const std::string& place,
-                               const Progress& progress) {
-  std::vector<WrittenActor> written;
-  std::vector<body::SegmentPose> poses;
-  for (const motion::Clip& clip : read) {
-    written.push_back({parents_of(clip.skeleton), [&](double time_s, std::vector<Eigen::Vector3d>& p_W) {
-                         motion::pose_at(clip, single_times ? single_time(time_s, clip.frame_rate_hz) : time_s, poses);
-                         p_W.clear();
-                         for (const body::SegmentPose& pose : poses) {
-                           p_W.push_back(pose.p_WL);
-                         }
-                         return Status();
-                       }});
-  }
-  return compare_paths(meant, written, tolerance_m, place, progress);
 }
 
 Result<ReadBack> compare_csv(const motion::Clip& meant, double fps, const std::filesystem::path& path,

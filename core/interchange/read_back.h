@@ -43,11 +43,6 @@ struct WrittenActor {
 Result<ReadBack> compare_paths(const std::vector<JointPaths>& meant, const std::vector<WrittenActor>& written,
                                double tolerance_m, const std::string& place, const Progress& progress = {});
 
-/// The same with clips. `single_times`: the file holds key times in single precision.
-Result<ReadBack> compare_clips(const std::vector<JointPaths>& meant, const std::vector<motion::Clip>& read,
-                               bool single_times, double tolerance_m, const std::string& place,
-                               const Progress& progress = {});
-
 /// The same for poses as CSV, whose rows are compared with the clip at multiples of 1/fps.
 Result<ReadBack> compare_csv(const motion::Clip& meant, double fps, const std::filesystem::path& path,
                              double tolerance_m, const Progress& progress = {});
