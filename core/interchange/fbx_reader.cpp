@@ -54,9 +54,12 @@ Result<std::vector<motion::Clip>> read_fbx(std::string_view bytes, const std::st
   if (!records) {
     return records.error();
   }
-  const Result<FbxScene> scene = fbx_scene(*records);
+  Result<FbxScene> scene = fbx_scene(*records);
   if (!scene) {
     return scene.error();
+  }
+  if (!options.animation) {
+    scene->stacks.clear();
   }
   Result<FbxPlain> plain = plain_fbx(*records, *scene);
   if (!plain) {

@@ -16,6 +16,8 @@ struct FbxReadOptions {
   /// kFile keeps the file's own axes, so that writing gives the same file again; kAlongBone turns every bone's frame
   /// so that x points to the mean of its children.
   BoneFrames frames = BoneFrames::kFile;
+  /// False: skeletons at rest and meshes alone.
+  bool animation = true;
 };
 
 /// One clip per animation and skeleton of the file, animations first; without animation one still clip per skeleton.

@@ -10,9 +10,11 @@
 #include "interchange/file_axes.h"
 #include "interchange/frame_rate.h"
 #include "interchange/gltf_bones.h"
+#include "interchange/gltf_embedded.h"
 #include "interchange/gltf_file.h"
 #include "interchange/gltf_mesh_reader.h"
 #include "interchange/gltf_model.h"
+#include "interchange/gltf_playback.h"
 #include "interchange/names.h"
 
 namespace limbwave::interchange {
@@ -25,6 +27,8 @@ using motion::Interpolation;
 // Joints whose places differ from rest by less, metres, do not slide: so much single precision leaves.
 constexpr double kSamePlace = 1e-6;
 constexpr double kLongestClip = 1e6;
+// What a playback holds of a file, seconds.
+constexpr double kPartLength = 300.0;
 constexpr double kDefaultRate = 60.0;
 constexpr std::size_t kMostClips = 1000;
 // Keys of all clips together, beside one for each byte of the file: channels may share their numbers, and a few bytes
@@ -38,10 +42,17 @@ struct Channel {
   std::vector<Eigen::Vector4d> values, arriving, leaving;  // positions have w = 0
 };
 
+// The part of all animations that is read, seconds: keys in it, and those that surround it.
+struct Part {
+  double begin = 0.0;
+  double end = kLongestClip;
+};
+
 class AnimationReader {
  public:
-  AnimationReader(const tinygltf::Model& model, const std::string& place, Diagnostics& diagnostics, std::size_t keys)
-      : model_(model), place_(place), diagnostics_(diagnostics), keys_left_(keys) {}
+  AnimationReader(const tinygltf::Model& model, const std::string& place, Diagnostics& diagnostics, std::size_t keys,
+                  Part part)
+      : model_(model), place_(place), diagnostics_(diagnostics), keys_left_(keys), part_(part) {}
 
   // The keys of one animation that belong to the tree, put into the clip.
   Status read(std::size_t number, const GltfTree& tree, motion::Clip& clip) {
@@ -93,9 +104,9 @@ class AnimationReader {
     }
     const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(entry.sampler)];
     const auto times = gltf_numbers(model_, sampler.input, {TINYGLTF_TYPE_SCALAR});
-    const auto values = gltf_numbers(model_, sampler.output, {turns ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3});
     const bool is_cubic = sampler.interpolation == "CUBICSPLINE";
-    if (!times || !values || values->count() != times->count() * (is_cubic ? 3 : 1)) {
+    const std::size_t per_key = is_cubic ? 3 : 1;
+    if (!times || gltf_count(model_, sampler.output) != times->count() * per_key) {
       return broken("its keys are not whole");
     }
     if (times->count() > keys_left_) {
@@ -106,13 +117,24 @@ class AnimationReader {
     channel.interpolation = is_cubic                          ? Interpolation::kCubic
                             : sampler.interpolation == "STEP" ? Interpolation::kStep
                                                               : Interpolation::kLinear;
-    channel.times.assign(times->values.begin(), times->values.end());
-    for (std::size_t i = 0; i < channel.times.size(); ++i) {
-      const double time = channel.times[i];
-      if (!(time >= 0.0 && time < kLongestClip && (i == 0 || time > channel.times[i - 1]))) {
+    for (std::size_t i = 0; i < times->count(); ++i) {
+      const double time = times->values[i];
+      if (!(time >= 0.0 && time < kLongestClip && (i == 0 || time > times->values[i - 1]))) {
         return broken(fmt::format("the time of key {} is not later than the one before", i));
       }
     }
+    const auto begin = std::ranges::upper_bound(times->values, part_.begin) - times->values.begin();
+    const auto end = std::ranges::lower_bound(times->values, part_.end) - times->values.begin();
+    const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(begin - 1, 0));
+    const std::size_t last = std::min(static_cast<std::size_t>(end) + 1, times->count());
+    const std::size_t many = last > first ? last - first : 0;
+    const auto values = gltf_numbers(model_, sampler.output, {turns ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3},
+                                     first * per_key, many * per_key);
+    if (!values) {
+      return broken("its keys are not whole");
+    }
+    channel.times.assign(times->values.begin() + static_cast<std::ptrdiff_t>(first),
+                         times->values.begin() + static_cast<std::ptrdiff_t>(last));
     for (std::size_t i = 0; i < values->count(); ++i) {
       Eigen::Vector4d value = Eigen::Vector4d::Zero();
       for (std::size_t k = 0; k < values->width; ++k) {
@@ -120,7 +142,7 @@ class AnimationReader {
       }
       const bool is_tangent = is_cubic && i % 3 != 1;
       if (!value.allFinite() || value.cwiseAbs().maxCoeff() > 1e9 || (turns && !is_tangent && value.norm() < 1e-3)) {
-        return broken(fmt::format("key {} is not a usable number", is_cubic ? i / 3 : i));
+        return broken(fmt::format("key {} is not a usable number", first + i / per_key));
       }
       (!is_cubic || i % 3 == 1 ? channel.values : i % 3 == 0 ? channel.arriving : channel.leaving).push_back(value);
     }
@@ -175,6 +197,7 @@ class AnimationReader {
   const std::string& place_;
   Diagnostics& diagnostics_;
   std::size_t keys_left_;
+  Part part_;
   std::string where_;
   std::vector<std::string> unread_;
 };
@@ -212,13 +235,11 @@ void put_on_frames(motion::Clip& clip) {
   }
 }
 
-}  // namespace
-
-Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::string& place,
-                                            const std::filesystem::path& folder, Diagnostics* diagnostics) {
+// `size`: of the file, bytes.
+Result<std::vector<motion::Clip>> clips_of(const Result<tinygltf::Model>& model, std::size_t size,
+                                           const std::string& place, Diagnostics* diagnostics, Part part = {}) {
   Diagnostics unread;
   Diagnostics& findings = diagnostics != nullptr ? *diagnostics : unread;
-  const Result<tinygltf::Model> model = parse_gltf(bytes, place, folder);
   if (!model) {
     return model.error();
   }
@@ -234,7 +255,7 @@ Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::s
                  "export only what is to be animated"};
   }
   std::vector<motion::Clip> clips;
-  AnimationReader animations(*model, place, findings, kMostKeys + bytes.size());
+  AnimationReader animations(*model, place, findings, kMostKeys + size, part);
   for (const GltfTree& tree : *trees) {
     motion::Clip at_rest;
     at_rest.skeleton = tree.skeleton;
@@ -264,13 +285,85 @@ Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::s
   return clips;
 }
 
-Result<std::vector<motion::Clip>> load_gltf(const std::filesystem::path& path, Diagnostics* diagnostics) {
-  const Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
+struct LoadedGltf {
+  Result<tinygltf::Model> model;
+  std::size_t size = 0;  // of the file, bytes
+};
+
+// The file's bytes are given back: the model holds them once more, and the keys will. `lean`: text files in less
+// memory, for those that Limbwave wrote.
+LoadedGltf loaded(const std::filesystem::path& path, bool lean) {
+  Result<std::string> bytes = read_file(path, std::size_t{1} << 32);
   if (!bytes) {
-    return bytes.error();
+    return {bytes.error()};
+  }
+  if (lean) {
+    bytes = gltf_as_binary(*std::move(bytes));
   }
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  return read_gltf(*bytes, path.string(), folder, diagnostics);
+  return {parse_gltf(*bytes, path.string(), folder), bytes->size()};
+}
+
+}  // namespace
+
+Result<std::vector<motion::Clip>> read_gltf(std::string_view bytes, const std::string& place,
+                                            const std::filesystem::path& folder, Diagnostics* diagnostics) {
+  return clips_of(parse_gltf(bytes, place, folder), bytes.size(), place, diagnostics);
+}
+
+Result<std::vector<motion::Clip>> load_gltf(const std::filesystem::path& path, Diagnostics* diagnostics) {
+  const LoadedGltf file = loaded(path, false);
+  return clips_of(file.model, file.size, path.string(), diagnostics);
+}
+
+struct GltfPlayback::State {
+  LoadedGltf file;
+  std::string place;
+  Part part;
+  std::vector<motion::Clip> clips;
+  std::vector<body::SegmentPose> poses;
+
+  Status load(double begin_s) {
+    part = {begin_s, begin_s + kPartLength};
+    Result<std::vector<motion::Clip>> read = clips_of(file.model, file.size, place, nullptr, part);
+    if (!read) {
+      return read.error();
+    }
+    clips = *std::move(read);
+    return {};
+  }
+};
+
+GltfPlayback::GltfPlayback(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GltfPlayback::GltfPlayback(GltfPlayback&&) noexcept = default;
+GltfPlayback::~GltfPlayback() = default;
+
+Result<GltfPlayback> GltfPlayback::open(const std::filesystem::path& path) {
+  auto state = std::make_unique<State>(State{loaded(path, true), path.string(), {}, {}, {}});
+  if (Status status = state->load(0.0); !status) {
+    return status.error();
+  }
+  return GltfPlayback(std::move(state));
+}
+
+const std::vector<motion::Clip>& GltfPlayback::clips() const {
+  return state_->clips;
+}
+
+Status GltfPlayback::places(std::size_t clip, double time_s, std::vector<Vector3d>& p_W) {
+  State& state = *state_;
+  const double time = single_time(time_s, state.clips[clip].frame_rate_hz);
+  if (time < state.part.begin || time > state.part.end) {
+    if (Status status = state.load(time); !status) {
+      return status;
+    }
+  }
+  motion::pose_at(state.clips[clip], time, state.poses);
+  p_W.clear();
+  for (const body::SegmentPose& pose : state.poses) {
+    p_W.push_back(pose.p_WL);
+  }
+  return {};
 }
 
 }  // namespace limbwave::interchange

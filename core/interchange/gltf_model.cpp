@@ -180,8 +180,14 @@ const tinygltf::Accessor* find(const tinygltf::Model& model, int index, std::ini
   return known ? &accessor : nullptr;
 }
 
-// All components as doubles, sparse ones put in their places.
-std::optional<std::vector<double>> components(const tinygltf::Model& model, const tinygltf::Accessor& accessor) {
+struct Range {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+// Components of some elements as doubles, sparse ones put in their places. The whole accessor is checked.
+std::optional<std::vector<double>> components(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
+                                              Range range) {
   const auto size =
       static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
   const auto width =
@@ -198,15 +204,15 @@ std::optional<std::vector<double>> components(const tinygltf::Model& model, cons
     if (!bytes) {
       return {};
     }
-    values.resize(accessor.count * width);
-    for (std::size_t i = 0; i < accessor.count; ++i) {
-      copy(*bytes, i, values.data() + i * width);
+    values.resize(range.count * width);
+    for (std::size_t i = 0; i < range.count; ++i) {
+      copy(*bytes, range.first + i, values.data() + i * width);
     }
   } else {
     if (accessor.count == 0 || accessor.count > kMostSparse) {
       return {};
     }
-    values.assign(accessor.count * width, 0.0);
+    values.assign(range.count * width, 0.0);
   }
   if (accessor.sparse.isSparse) {
     const auto& sparse = accessor.sparse;
@@ -227,7 +233,10 @@ std::optional<std::vector<double>> components(const tinygltf::Model& model, cons
       if (!(index >= 0.0 && index < static_cast<double>(accessor.count))) {
         return {};
       }
-      copy(*replaced, i, values.data() + static_cast<std::size_t>(index) * width);
+      const auto element_index = static_cast<std::size_t>(index);
+      if (element_index >= range.first && element_index - range.first < range.count) {
+        copy(*replaced, i, values.data() + (element_index - range.first) * width);
+      }
     }
   }
   return values;
@@ -269,9 +278,23 @@ Result<tinygltf::Model> parse_gltf(std::string_view bytes, const std::string& pl
   return Error{"is not valid glTF (" + error + ")", place, "check that it was copied whole"};
 }
 
+std::size_t gltf_count(const tinygltf::Model& model, int index) {
+  return index < 0 || static_cast<std::size_t>(index) >= model.accessors.size()
+             ? 0
+             : model.accessors[static_cast<std::size_t>(index)].count;
+}
+
 std::optional<GltfNumbers> gltf_numbers(const tinygltf::Model& model, int index, std::initializer_list<int> types) {
+  return gltf_numbers(model, index, types, 0, gltf_count(model, index));
+}
+
+std::optional<GltfNumbers> gltf_numbers(const tinygltf::Model& model, int index, std::initializer_list<int> types,
+                                        std::size_t first, std::size_t count) {
   const tinygltf::Accessor* accessor = find(model, index, types);
-  const auto read = accessor == nullptr ? std::nullopt : components(model, *accessor);
+  if (accessor == nullptr || first > accessor->count || count > accessor->count - first) {
+    return {};
+  }
+  const auto read = components(model, *accessor, {first, count});
   if (!read) {
     return {};
   }
@@ -293,7 +316,7 @@ std::optional<std::vector<std::uint32_t>> gltf_integers(const tinygltf::Model& m
                               accessor->componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
     return {};
   }
-  const auto read = components(model, *accessor);
+  const auto read = components(model, *accessor, {0, accessor->count});
   if (!read) {
     return {};
   }

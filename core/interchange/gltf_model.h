@@ -28,6 +28,11 @@ struct GltfNumbers {
   [[nodiscard]] std::size_t count() const { return width == 0 ? 0 : values.size() / width; }
 };
 std::optional<GltfNumbers> gltf_numbers(const tinygltf::Model& model, int index, std::initializer_list<int> types);
+/// The same of `count` elements from `first` on; nothing when there are not as many.
+std::optional<GltfNumbers> gltf_numbers(const tinygltf::Model& model, int index, std::initializer_list<int> types,
+                                        std::size_t first, std::size_t count);
+/// Elements that an accessor says it has; 0 when it does not exist.
+std::size_t gltf_count(const tinygltf::Model& model, int index);
 
 /// All numbers of an accessor of unsigned integers (indices, joints).
 std::optional<std::vector<std::uint32_t>> gltf_integers(const tinygltf::Model& model, int index,

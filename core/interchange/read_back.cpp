@@ -6,21 +6,18 @@
 #include <cmath>
 #include <fstream>
 
-#include "interchange/frame_rate.h"
-
 namespace limbwave::interchange {
 namespace {
 
 constexpr std::size_t kKeysPerReport = 4096;
 constexpr const char* kRemedy = "nothing was written; choose another format or preset, and report this file";
 
-// Indices of a skeleton's segments depth first, siblings in their order.
-std::vector<std::size_t> depth_first(const body::Skeleton& skeleton) {
-  std::vector<std::vector<std::size_t>> children(skeleton.segments.size());
+// Indices of joints depth first, siblings in their order.
+std::vector<std::size_t> depth_first(const std::vector<int>& parents) {
+  std::vector<std::vector<std::size_t>> children(parents.size());
   std::vector<std::size_t> open;
-  for (std::size_t i = skeleton.segments.size(); i-- > 0;) {
-    const int parent = skeleton.segments[i].parent;
-    (parent < 0 ? open : children[static_cast<std::size_t>(parent)]).push_back(i);
+  for (std::size_t i = parents.size(); i-- > 0;) {
+    (parents[i] < 0 ? open : children[static_cast<std::size_t>(parents[i])]).push_back(i);
   }
   std::vector<std::size_t> order;
   while (!open.empty()) {
@@ -49,40 +46,69 @@ Error too_far(const ReadBack& result, double fps, const std::string& place) {
 
 }  // namespace
 
-Result<ReadBack> compare_clips(const std::vector<motion::Clip>& meant, const std::vector<motion::Clip>& read,
-                               bool single_times, double tolerance_m, const std::string& place,
-                               const Progress& progress) {
-  if (meant.size() != read.size()) {
-    return Error{fmt::format("the written file has {} actors instead of {}", read.size(), meant.size()), place,
+JointPaths joint_paths(const motion::Clip& clip) {
+  JointPaths paths;
+  for (const body::Segment& segment : clip.skeleton.segments) {
+    paths.names.push_back(segment.name);
+    paths.parents.push_back(segment.parent);
+  }
+  paths.frame_rate_hz = clip.frame_rate_hz;
+  paths.times_s = motion::key_times(clip);
+  if (paths.times_s.empty()) {
+    paths.times_s = {0.0};
+  }
+  paths.roots.reserve(paths.times_s.size());
+  paths.rest.reserve(paths.times_s.size() * (paths.names.empty() ? 0 : paths.names.size() - 1));
+  std::vector<body::SegmentPose> poses;
+  for (const double time : paths.times_s) {
+    motion::pose_at(clip, time, poses);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      if (i == 0) {
+        paths.roots.push_back(poses[i].p_WL);
+      } else {
+        paths.rest.emplace_back((poses[i].p_WL - poses[0].p_WL).cast<float>());
+      }
+    }
+  }
+  return paths;
+}
+
+Result<ReadBack> compare_paths(const std::vector<JointPaths>& meant, const std::vector<WrittenActor>& written,
+                               double tolerance_m, const std::string& place, const Progress& progress) {
+  if (meant.size() != written.size()) {
+    return Error{fmt::format("the written file has {} actors instead of {}", written.size(), meant.size()), place,
                  kRemedy};
   }
   ReadBack result;
-  std::vector<body::SegmentPose> a;
-  std::vector<body::SegmentPose> b;
+  std::vector<Eigen::Vector3d> p_W;
   for (std::size_t c = 0; c < meant.size(); ++c) {
-    const std::vector<std::size_t> order_a = depth_first(meant[c].skeleton);
-    const std::vector<std::size_t> order_b = depth_first(read[c].skeleton);
+    const JointPaths& paths = meant[c];
+    const std::vector<std::size_t> order_a = depth_first(paths.parents);
+    const std::vector<std::size_t> order_b = depth_first(written[c].parents);
     if (order_a.size() != order_b.size()) {
       return Error{fmt::format("the written file has {} bones instead of {}", order_b.size(), order_a.size()), place,
                    kRemedy};
     }
-    std::vector<double> times = motion::key_times(meant[c]);
-    if (times.empty()) {
-      times = {0.0};
-    }
     const Progress part = progress.part(static_cast<double>(c) / static_cast<double>(meant.size()),
                                         static_cast<double>(c + 1) / static_cast<double>(meant.size()));
-    for (std::size_t k = 0; k < times.size(); ++k) {
+    const std::size_t others = order_a.empty() ? 0 : order_a.size() - 1;
+    for (std::size_t k = 0; k < paths.roots.size(); ++k) {
+      const double time = paths.times_s[k];
       if (k % kKeysPerReport == 0 &&
-          !part.report(static_cast<double>(k) / static_cast<double>(times.size()), "checking")) {
+          !part.report(static_cast<double>(k) / static_cast<double>(paths.roots.size()), "checking")) {
         return cancelled();
       }
-      motion::pose_at(meant[c], times[k], a);
-      motion::pose_at(read[c], single_times ? single_time(times[k], read[c].frame_rate_hz) : times[k], b);
+      if (const Status status = written[c].places(time, p_W); !status) {
+        return status.error();
+      }
       for (std::size_t i = 0; i < order_a.size(); ++i) {
-        const double distance = (a[order_a[i]].p_WL - b[order_b[i]].p_WL).norm();
-        if (!note(result, distance, meant[c].skeleton.segments[order_a[i]].name, times[k], tolerance_m)) {
-          return too_far(result, meant[c].frame_rate_hz, place);
+        const std::size_t a = order_a[i];
+        Eigen::Vector3d p = paths.roots[k];
+        if (a > 0) {
+          p += paths.rest[k * others + a - 1].cast<double>();
+        }
+        if (!note(result, (p - p_W[order_b[i]]).norm(), paths.names[a], time, tolerance_m)) {
+          return too_far(result, paths.frame_rate_hz, place);
         }
       }
     }

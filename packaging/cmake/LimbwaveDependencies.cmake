@@ -23,6 +23,10 @@ foreach(target Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11 assimp::a
   endif()
 endforeach()
 
+# Debian's target names what the shared library itself needs. One of it, libdraco, has a tinygltf of its own inside:
+# a program that links it would call that one instead of libtinygltf, with other layouts of the same classes.
+set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
+
 if(LIMBWAVE_BUILD_STUDIO)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Svg 3DCore 3DRender 3DInput 3DExtras LinguistTools Test)
 endif()

@@ -98,7 +98,9 @@ int main(int argc, char** argv) {
     interchange::FbxWriteOptions options;
     options.keys = n == 3 ? interchange::FbxKeyMode::kOwn : interchange::FbxKeyMode::kDense;
     must(interchange::write_fbx(clip, folder / "fbx" / (name + ".fbx"), options));
-    must(interchange::write_glb(clip, folder / "gltf" / (name + ".glb")));
+    motion::Clip solve = clip;  // solves have no meshes
+    solve.meshes.clear();
+    must(interchange::write_glb(solve, folder / "gltf" / (name + ".glb")));
     const motion::Clip* const clips[] = {&clip};
     must(interchange::write_gltf(clips, folder / "gltf" / (name + "-file.glb")));
     must(interchange::write_gltf(clips, folder / "gltf" / (name + "-file.gltf")));

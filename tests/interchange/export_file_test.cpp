@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/units.h"
 #include "interchange/bvh_reader.h"
+#include "interchange/export_check.h"
 #include "interchange/fbx_reader.h"
 #include "interchange/frame_rate.h"
 #include "interchange/gltf_file.h"
@@ -182,18 +183,85 @@ TEST(ExportFile, WhatFailsLeavesTheOldFile) {
   EXPECT_TRUE(export_file(two, folder / "x.fbx").ok());
 }
 
+WrittenActor playing(const Clip& clip) {
+  WrittenActor actor;
+  for (const body::Segment& segment : clip.skeleton.segments) {
+    actor.parents.push_back(segment.parent);
+  }
+  actor.places = [&clip](double time_s, std::vector<Vector3d>& p_W) {
+    p_W.clear();
+    for (const body::SegmentPose& pose : motion::pose_at(clip, time_s)) {
+      p_W.push_back(pose.p_WL);
+    }
+    return Status();
+  };
+  return actor;
+}
+
 TEST(ReadBack, NamesJointAndFrameOfADifference) {
   const Clip meant = kick(60.0, 1.0);
   Clip read = meant;
   read.joints[2].rotation.values[30] = read.joints[2].rotation.values[10];
   read.joints[1].rotation.values[30] = read.joints[1].rotation.values[10];
-  const auto same = compare_clips({meant}, {read}, false, kExportTolerance, "x.fbx");
+  const auto same = compare_paths({joint_paths(meant)}, {playing(read)}, kExportTolerance, "x.fbx");
   ASSERT_FALSE(same.ok());
   EXPECT_NE(same.error().text().find("\"leg 2\""), std::string::npos) << same.error().text();
   EXPECT_NE(same.error().text().find("frame 30"), std::string::npos) << same.error().text();
-  EXPECT_FALSE(compare_clips({meant}, {}, false, kExportTolerance, "x.fbx").ok());
+  EXPECT_FALSE(compare_paths({joint_paths(meant)}, {}, kExportTolerance, "x.fbx").ok());
   read.skeleton.segments.pop_back();
-  EXPECT_FALSE(compare_clips({meant}, {read}, false, kExportTolerance, "x.fbx").ok());
+  EXPECT_FALSE(compare_paths({joint_paths(meant)}, {playing(read)}, kExportTolerance, "x.fbx").ok());
+}
+
+// Longer than what a playback holds of a file at a time, in each format.
+TEST(CheckExport, LongFilesAreCheckedToTheirEnd) {
+  const Clip clip = kick(30.0, 700.0);
+  const std::size_t late = clip.joints[1].rotation.times.size() - 3;
+  const test::TemporaryFolder folder;
+  for (const char* ending : kEndings) {
+    SCOPED_TRACE(ending);
+    const std::filesystem::path path = folder / (std::string("x") + ending);
+    ExportOptions options;
+    options.mesh = false;
+    const auto report = exported(clip, path, options);
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_LT(report->worst_m, 1e-4);
+    const Clip* clips[] = {&clip};
+    ExportReport unused;
+    const FileFormat format = *format_of(path);
+    std::vector<Clip> meant = *prepared(clips, format, options, unused);
+    EXPECT_TRUE(check_export(meant, format, FileUnit::kCentimetres, path).ok());
+    // The file is right, what was meant is not: near the end, at one key, by 4 cm.
+    meant[0].joints[1].rotation.values[late] *=
+        Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vector3d::Ones().normalized()));
+    const auto same = check_export(meant, format, FileUnit::kCentimetres, path);
+    ASSERT_FALSE(same.ok());
+    EXPECT_NE(same.error().text().find("frame " + std::to_string(late)), std::string::npos) << same.error().text();
+    EXPECT_NE(same.error().text().find("\"leg"), std::string::npos) << same.error().text();
+  }
+}
+
+TEST(CheckExport, DamagedFilesDoNotPass) {
+  const Clip clip = kick(60.0, 3.0);
+  const test::TemporaryFolder folder;
+  for (const char* ending : kEndings) {
+    SCOPED_TRACE(ending);
+    const std::filesystem::path path = folder / (std::string("x") + ending);
+    ExportOptions options;
+    options.mesh = false;
+    ASSERT_TRUE(exported(clip, path, options).ok());
+    const std::string whole = *read_file(path);
+    const FileFormat format = *format_of(path);
+    const Clip* clips[] = {&clip};
+    ExportReport unused;
+    const std::vector<Clip> meant = *prepared(clips, format, options, unused);
+    // Without its end; without its last lines.
+    for (const std::size_t size : {whole.size() / 2, whole.size() * 9 / 10}) {
+      ASSERT_TRUE(write_file(path, whole.substr(0, size)).ok());
+      EXPECT_FALSE(check_export(meant, format, FileUnit::kCentimetres, path).ok()) << size;
+    }
+    std::filesystem::remove(path);
+    EXPECT_FALSE(check_export(meant, format, FileUnit::kCentimetres, path).ok());
+  }
 }
 
 }  // namespace
