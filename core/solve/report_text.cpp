@@ -77,11 +77,13 @@ std::vector<std::string> report_lines(const Solve& solve) {
                               report.take_seconds, report.decode_seconds + report.solve_seconds, report.decode_seconds,
                               report.solve_seconds));
   lines.push_back("calibration: " + report.calibration);
-  lines.push_back(fmt::format(
-      "line: {:.2f} cycles/s, jitter {:.3f} %, coupling {:.2f} ± {:.2f} Hz, noise {:.1f} dB, {} cycles, {} lost",
-      report.line.cycle_rate_hz, 100.0 * report.line.clock_jitter, report.line.left_coupling_hz,
-      report.line.coupling_sd_hz, 20.0 * std::log10(std::max(report.line.noise, 1e-12)), report.line.cycles,
-      report.line.lost_cycles));
+  if (report.line.cycles > 0) {
+    lines.push_back(fmt::format(
+        "line: {:.2f} cycles/s, jitter {:.3f} %, coupling {:.2f} ± {:.2f} Hz, noise {:.1f} dB, {} cycles, {} lost",
+        report.line.cycle_rate_hz, 100.0 * report.line.clock_jitter, report.line.left_coupling_hz,
+        report.line.coupling_sd_hz, 20.0 * std::log10(std::max(report.line.noise, 1e-12)), report.line.cycles,
+        report.line.lost_cycles));
+  }
   for (const SensorQuality& sensor : report.sensors) {
     lines.push_back(fmt::format(
         "{:<12} usable {:5.1f} %, gravity explains {:5.1f} %, {}", sensor.sensor, 100.0 * sensor.usable,
