@@ -96,8 +96,8 @@ void run(const Options& options, bool as_json, Console& console) {
           console.check(interchange::skinned_mesh_file(options.mesh, clips.back(), console.progress()))};
     }
   }
-  const interchange::ExportReport report = console.check(
-      interchange::export_file(std::move(clips), options.output, read_options(options, console), console.progress()));
+  const interchange::ExportReport report = console.check(interchange::export_and_release(
+      std::move(clips), options.output, read_options(options, console), console.progress()));
   if (as_json) {
     console.print_json({{"file", options.output},
                         {"bytes", report.bytes},

@@ -305,8 +305,8 @@ Result<ExportReport> export_file(std::span<const Clip* const> clips, const fs::p
   return meant ? write_checked(*std::move(meant), *format, path, options, report, progress) : meant.error();
 }
 
-Result<ExportReport> export_file(std::vector<Clip>&& clips, const fs::path& path, const ExportOptions& options,
-                                 const Progress& progress) {
+Result<ExportReport> export_and_release(std::vector<Clip>&& clips, const fs::path& path, const ExportOptions& options,
+                                        const Progress& progress) {
   const Result<FileFormat> format = format_of(path);
   if (!format) {
     return format.error();

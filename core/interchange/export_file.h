@@ -63,7 +63,7 @@ Result<std::vector<motion::Clip>> prepared(std::span<const motion::Clip* const> 
 Result<ExportReport> export_file(std::span<const motion::Clip* const> clips, const std::filesystem::path& path,
                                  const ExportOptions& options = {}, const Progress& progress = {});
 /// The same for clips that nobody needs afterwards: their memory is given back before the file is read again.
-Result<ExportReport> export_file(std::vector<motion::Clip>&& clips, const std::filesystem::path& path,
-                                 const ExportOptions& options = {}, const Progress& progress = {});
+Result<ExportReport> export_and_release(std::vector<motion::Clip>&& clips, const std::filesystem::path& path,
+                                        const ExportOptions& options = {}, const Progress& progress = {});
 
 }  // namespace limbwave::interchange

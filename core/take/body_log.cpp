@@ -23,7 +23,7 @@ Error bad(const CsvTable& table, std::size_t row, const std::string& what) {
 // The columns of a table by name, and a row's numbers.
 class Columns {
  public:
-  Columns(const CsvTable& table, std::initializer_list<const char*> names) : table_(&table) {
+  Columns(const CsvTable& table, std::initializer_list<const char*> names) {
     for (const char* name : names) {
       columns_.push_back(table.column(name));
       missing_ = columns_.back() < 0 && missing_.empty() ? name : missing_;
@@ -43,7 +43,6 @@ class Columns {
   }
 
  private:
-  const CsvTable* table_;
   std::vector<int> columns_;
   std::string missing_;
 };

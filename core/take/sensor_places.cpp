@@ -59,9 +59,9 @@ Result<body::Rig> with_places(body::Rig rig, const std::vector<std::string>& pla
   std::vector<int> socket_of(old.size());  // by old index
   for (std::size_t s = 0; s < places.size(); ++s) {
     const auto from = static_cast<std::size_t>(std::find(before.begin(), before.end(), places[s]) - before.begin());
-    std::string key = sensor_key(rig, old[s]);
+    const std::string key = sensor_key(rig, old[s]);
     rig.accelerometers[s] = old[from];
-    rig.accelerometers[s].serial = old[s].serial.empty() && from != s ? std::move(key) : old[s].serial;
+    rig.accelerometers[s].serial = old[s].serial.empty() && from != s ? key : old[s].serial;
     socket_of[from] = static_cast<int>(s);
   }
   for (body::CalibrationGroup& group : rig.groups) {

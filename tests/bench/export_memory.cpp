@@ -56,7 +56,7 @@ int export_one(double minutes, const std::filesystem::path& path) {
   std::vector<motion::Clip> clips;
   clips.push_back(person(minutes));
   std::printf("%-6s clip %.0f MB", path.extension().c_str(), megabytes(clips.front()));
-  const auto report = interchange::export_file(std::move(clips), path);
+  const auto report = interchange::export_and_release(std::move(clips), path);
   if (!report) {
     std::printf("  %s\n", report.error().text().c_str());
     return 1;

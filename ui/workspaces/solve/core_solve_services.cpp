@@ -23,10 +23,7 @@ SolveServices core_solve_services() {
     return std::optional<evaluate::Truth>(std::move(truth).value());
   };
   services.evaluate = evaluate::evaluate;
-  services.export_file = [](std::span<const motion::Clip* const> clips, const std::filesystem::path& file,
-                            const interchange::ExportOptions& options, const Progress& progress) {
-    return interchange::export_file(clips, file, options, progress);
-  };
+  services.export_file = interchange::export_file;
   return services;
 }
 
