@@ -126,7 +126,7 @@ class SolveModel : public QObject {
   QPointer<Job> saving_;
   QPointer<Job> evaluating_;
   std::shared_ptr<SolveWriter> writer_ = std::make_shared<SolveWriter>();
-  int edits_ = 0;    ///< Counts edits of keys and lengths.
+  int edits_ = 0;  ///< Counts edits of keys and lengths.
   std::vector<std::string> names_;
   int attempt_ = 0;  ///< Counts runs, so that one that was overtaken is dropped.
   bool loading_keys_ = false, unsaved_ = false, shows_live_ = false;
