@@ -6,11 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <future>
 #include <numbers>
 
 #include "acquire/sound_card.h"
 #include "support/pulse_server.h"
+#include "support/temporary_folder.h"
 
 namespace limbwave::acquire {
 namespace {
@@ -87,8 +89,23 @@ TEST(TonePlayer, IsHeardAtTheOutputWhileTheInputIsOpen) {
   EXPECT_LT(amplitude(middle, 700.0, 48000.0), 0.02);
 }
 
+// What a machine is left with when its sound server has died.
+struct DeadServer {
+  DeadServer() {
+    std::ofstream(folder / "asound.conf") << "</usr/share/alsa/alsa.conf>\npcm.!default { type pulse }\n";
+  }
+  test::TemporaryFolder folder;
+  test::ScopedEnvironment environment{{{"ALSA_CONFIG_PATH", folder / "asound.conf"},
+                                       {"PULSE_SERVER", "unix:" + (folder / "nothing").string()},
+                                       {"JACK_NO_START_SERVER", "1"}}};
+};
+
 TEST(TonePlayer, SaysWhenThereIsNoOutput) {
-  const test::ScopedEnvironment nothing({{"ALSA_CONFIG_PATH", "/dev/null"}, {"JACK_NO_START_SERVER", "1"}});
+  std::string why_not;
+  if (!test::PulseServer::available(why_not)) {
+    GTEST_SKIP() << why_not;
+  }
+  const DeadServer nothing;
   TonePlayer player;
   std::promise<Status> played;
   player.play({{440.0, 0.05}}, [&played](const Status& status) { played.set_value(status); });
@@ -98,7 +115,7 @@ TEST(TonePlayer, SaysWhenThereIsNoOutput) {
 }
 
 TEST(TonePlayer, EndsAtOnceWithTonesWaiting) {
-  const test::ScopedEnvironment nothing({{"ALSA_CONFIG_PATH", "/dev/null"}, {"JACK_NO_START_SERVER", "1"}});
+  const DeadServer nothing;
   TonePlayer player;
   for (int i = 0; i < 100; ++i) {
     player.play({{440.0, 10.0}});
