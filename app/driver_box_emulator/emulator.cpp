@@ -243,7 +243,8 @@ void Emulator::make_block() {
   for (int w = 0; w < block.wires; ++w) {
     if (((connected_ >> static_cast<unsigned>(w)) & 1U) == 0) {
       for (int n = 0; n < block.frames; ++n) {
-        block.samples[static_cast<std::size_t>(n * block.wires + w)] = 0;
+        block.samples[static_cast<std::size_t>(n) * static_cast<std::size_t>(block.wires) +
+                      static_cast<std::size_t>(w)] = 0;
       }
     }
   }

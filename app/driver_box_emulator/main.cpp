@@ -206,9 +206,7 @@ int run(const Options& options) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
   Options options;
   CLI::App app("A driver box in software: speaks its protocol on a pseudo-terminal, in real time.");
   app.set_version_flag("--version", LIMBWAVE_VERSION);
@@ -236,4 +234,15 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, interrupt);
   std::signal(SIGPIPE, SIG_IGN);
   return run(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return start(argc, argv);
+  } catch (const std::exception& exception) {
+    std::fprintf(stderr, "limbwave-driver-box-emulator: unexpected failure: %s\n", exception.what());
+    return 1;
+  }
 }

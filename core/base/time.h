@@ -42,7 +42,7 @@ constexpr SampleCount operator-(SampleCount a, SampleCount b) {
 /// Seconds since the start of the take, or a duration in seconds.
 struct Seconds {
   double value = 0.0;
-  auto operator<=>(const Seconds&) const = default;
+  auto operator<=>(const Seconds&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 constexpr Seconds operator+(Seconds a, Seconds b) {

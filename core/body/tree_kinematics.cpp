@@ -4,7 +4,6 @@
 
 namespace limbwave::body {
 
-using geometry::skew;
 
 TreeKinematics::TreeKinematics(const Tree& tree) : tree_(&tree), motion_(tree.links().size()) {}
 

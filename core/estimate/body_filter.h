@@ -154,7 +154,7 @@ class BodyFilter {
   ErrorCovariance& mutable_covariance() { return P_; }
 
   /// Applies an error state to a state: what `update` does at its end, and the smoother.
-  void inject(BodyState& state, const Eigen::VectorXd& correction) const;
+  void inject(BodyState& state, const Eigen::VectorXd& x) const;
 
  private:
   void predict(double dt, PredictRecord* record);
