@@ -4,7 +4,6 @@
 
 namespace limbwave::body {
 
-
 TreeKinematics::TreeKinematics(const Tree& tree) : tree_(&tree), motion_(tree.links().size()) {}
 
 void TreeKinematics::update(const TreeState& state, const std::vector<double>& place_scale) {
