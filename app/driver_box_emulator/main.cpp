@@ -246,5 +246,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& exception) {
     std::fprintf(stderr, "limbwave-driver-box-emulator: unexpected failure: %s\n", exception.what());
     return 1;
+  } catch (...) {
+    return 1;
   }
 }

@@ -363,6 +363,7 @@ Result<std::shared_ptr<const BodyMotion>> load_bvh_motion(const std::filesystem:
     }
     if (whole_body) {
       std::vector<Quaterniond> frame;
+      frame.reserve(R_PL.size());
       for (const auto& R : R_PL) {
         frame.push_back(R.back());
       }

@@ -58,7 +58,8 @@ body::Skeleton real_bones(const body::Skeleton& skeleton, double sigma, std::uin
   for (std::size_t i = 0; i < skeleton.segments.size(); ++i) {
     const double factor = 1.0 + drawn(random, sigma);
     if (factor != 1.0) {
-      real = body::with_length(std::move(real), static_cast<int>(i), factor * real.segments[i].length);
+      const double length = factor * real.segments[i].length;
+      real = body::with_length(std::move(real), static_cast<int>(i), length);
     }
   }
   return real;
