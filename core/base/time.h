@@ -39,7 +39,8 @@ constexpr SampleCount operator-(SampleCount a, SampleCount b) {
   return {a.value - b.value};
 }
 
-/// Seconds since the start of the take, or a duration in seconds.
+/// Seconds since the start of the take, or a duration in seconds. (clang-tidy takes what a defaulted <=> generates,
+/// a comparison with 0, for a null pointer.)
 struct Seconds {
   double value = 0.0;
   auto operator<=>(const Seconds&) const = default;  // NOLINT(modernize-use-nullptr)

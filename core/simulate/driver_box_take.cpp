@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "simulate/driver_box_stream.h"
 #include "simulate/simulate.h"
+#include "simulate/text_file.h"
 #include "take/recorder.h"
 
 namespace limbwave::simulate {
@@ -34,40 +35,6 @@ void collect(DriverBoxStream& stream, Happened& happened) {
   }
 }
 
-class TruthFile {
- public:
-  explicit TruthFile(const std::filesystem::path& path) : file_(std::fopen(path.c_str(), "wb")) {}
-  ~TruthFile() {
-    if (file_ != nullptr) {
-      std::fclose(file_);
-    }
-  }
-  TruthFile(const TruthFile&) = delete;
-  TruthFile& operator=(const TruthFile&) = delete;
-  template <typename... Arguments>
-  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Arguments>(arguments)...);
-    if (buffer_.size() > (std::size_t{1} << 20U)) {
-      flush();
-    }
-  }
-  bool close() {
-    flush();
-    const bool closed = file_ != nullptr && std::fclose(file_) == 0;
-    file_ = nullptr;
-    return good_ && closed;
-  }
-
- private:
-  void flush() {
-    good_ = good_ && file_ != nullptr && std::fwrite(buffer_.data(), 1, buffer_.size(), file_) == buffer_.size();
-    buffer_.clear();
-  }
-  std::FILE* file_;
-  fmt::memory_buffer buffer_;
-  bool good_ = true;
-};
-
 const char* comma(bool first) {
   return first ? "" : ",";
 }
@@ -75,7 +42,7 @@ const char* comma(bool first) {
 Status write_driver_box_truth(const std::filesystem::path& path, const DriverBoxActor& actor,
                               const DriverBoxStream& stream, const Happened& happened, const SimulateSettings& settings,
                               const DriverBoxErrors& errors, const body::Rig& rig, double seconds) {
-  TruthFile file(path);
+  TextFile file(path);
   file.add("{{\"schema\":1,\"rate_hz\":{},\n\"segments\":[", kTruthRateHz);
   const auto samples = static_cast<std::int64_t>(std::ceil(seconds * kTruthRateHz));
   std::vector<std::vector<FrameJet>> poses(static_cast<std::size_t>(samples));

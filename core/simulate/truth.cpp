@@ -8,45 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
+#include "simulate/text_file.h"
 
 namespace limbwave::simulate {
 namespace {
-
-// Writes as it goes: the text of a long take would not fit well into memory.
-class TextFile {
- public:
-  explicit TextFile(const std::filesystem::path& path) : file_(std::fopen(path.c_str(), "wb")) {}
-  ~TextFile() {
-    if (file_ != nullptr) {
-      std::fclose(file_);
-    }
-  }
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
-
-  template <typename... Arguments>
-  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Arguments>(arguments)...);
-    if (buffer_.size() > (std::size_t{1} << 20U)) {
-      flush();
-    }
-  }
-  bool close() {
-    flush();
-    const bool closed = file_ != nullptr && std::fclose(file_) == 0;
-    file_ = nullptr;
-    return good_ && closed;
-  }
-
- private:
-  void flush() {
-    good_ = good_ && file_ != nullptr && std::fwrite(buffer_.data(), 1, buffer_.size(), file_) == buffer_.size();
-    buffer_.clear();
-  }
-  std::FILE* file_;
-  fmt::memory_buffer buffer_;
-  bool good_ = true;
-};
 
 std::string text(const std::string& value) {
   return json_text(value);

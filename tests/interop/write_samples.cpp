@@ -40,7 +40,7 @@ constexpr const char* kAll[] = {".fbx", ".glb", ".gltf", ".bvh"};
 constexpr const char* kSkinned[] = {".fbx", ".glb", ".gltf"};
 constexpr const char* kOneEach[] = {".fbx", ".glb", ".bvh"};
 
-fs::path folder;  // NOLINT: set once at the start
+fs::path folder;  // set once at the start
 
 void fail(const std::string& text) {
   std::fprintf(stderr, "interop_samples: %s\n", text.c_str());
