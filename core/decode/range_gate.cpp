@@ -1,6 +1,7 @@
 #include "decode/range_gate.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
