@@ -217,7 +217,9 @@ void BodyFilter::add_range(const RangeReading& reading) {
     put(layout_.sound_scale, distance);
   }
   g.innovation[0] = reading.range - scale * distance - state_.range_offset[s];
-  g.variance[0] = square(p.range_noise / std::min(reading.confidence, 1.0)) + square(p.range_model);
+  const double noise =
+      reading.variance > 0.0 ? reading.variance : square(p.range_noise / std::min(reading.confidence, 1.0));
+  g.variance[0] = noise + square(p.range_model);
 }
 
 void BodyFilter::add_root(const RootReading& reading) {

@@ -59,6 +59,7 @@ struct RangeReading {
   int source = 0, board = 0;
   double range = 0.0;       ///< Metres.
   double confidence = 1.0;  ///< 0..1; the standard deviation is divided by it (Vlasic et al. 2007, eq. (4)).
+  double variance = 0.0;  ///< Of the range, m², where its decoder tells; used instead of the confidence. 0: not told.
 };
 
 /// The root's pose from elsewhere: root segment to world, and its joint's place.

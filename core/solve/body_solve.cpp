@@ -182,7 +182,7 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
       if (heard.verdict == decode::RangeVerdict::kAccepted) {
         readings.ranges.push_back({heard.emission_time.value, source_of.at(static_cast<std::size_t>(heard.source)),
                                    board_of_microphone.at(static_cast<std::size_t>(heard.receiver)), heard.range,
-                                   heard.confidence()});
+                                   heard.confidence(), heard.variance});
       }
     }
     for (const decode::InertialReading& word : inertial) {
