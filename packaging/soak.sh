@@ -16,7 +16,9 @@ preset=${LIMBWAVE_PRESET:-ci}  # another one of CMakePresets.json, already built
 build=build/$preset
 mkdir -p "$build"
 cmake --preset "$preset" >"$build/configure.log" 2>&1 || { cat "$build/configure.log"; exit 1; }
-cmake --build $build --target limbwave limbwave-driver-box-emulator test_record_kill test_take >"$build/build.log" 2>&1 || { tail -n 30 "$build/build.log"; exit 1; }
+targets=(limbwave limbwave-driver-box-emulator)
+[[ $what == box ]] || targets+=(test_record_kill test_take)
+cmake --build $build --target "${targets[@]}" >"$build/build.log" 2>&1 || { tail -n 30 "$build/build.log"; exit 1; }
 work=$(mktemp -d)
 recorder=
 emulator=

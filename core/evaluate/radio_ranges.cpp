@@ -240,6 +240,10 @@ decode::RangeGateParameters radio_parameters(const RadioRecording& recording) {
     high = high.cwiseMax(anchor);
     sum += anchor;
   }
+  // Reflections in a room put ultra-wideband ranges off by a decimetre for some seconds; a trolley or a walker is slow.
+  parameters.wander_sd = 0.10;
+  parameters.wander_s = 4.0;
+  parameters.acceleration = 1.0;
   parameters.place = sum / static_cast<double>(recording.anchors_W.size());
   parameters.place_sd = (high - low).cwiseMax(Vector3d::Constant(0.3));
   return parameters;

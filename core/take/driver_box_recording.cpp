@@ -47,8 +47,18 @@ Status check(const body::Rig& rig, const acquire::BoxHello& hello) {
 
 }  // namespace
 
+body::Rig rig_at_rate(body::Rig rig, double rate_hz) {
+  if (rig.driver_box) {
+    rig.driver_box->slot_samples =
+        static_cast<int>(std::lround(rig.driver_box->slot_samples * rate_hz / rig.driver_box->rate_hz));
+    rig.driver_box->rate_hz = rate_hz;
+  }
+  return rig;
+}
+
 Result<Take> record_driver_box(const std::filesystem::path& folder, acquire::BoxSource& box, const body::Rig& rig,
                                const body::Skeleton& skeleton, const std::string& subject,
+                               const calibrate::RangingCalibration& ranging,
                                const std::function<bool(const DriverBoxProgress&)>& go_on) {
   const acquire::BoxHello hello = box.hello();
   if (Status fits = check(rig, hello); !fits) {
@@ -67,6 +77,7 @@ Result<Take> record_driver_box(const std::filesystem::path& folder, acquire::Box
   info.format = box.format();
   info.rig = rig;
   info.skeleton = skeleton;
+  info.ranging = ranging;
   auto recorder = Recorder::create(folder, std::move(info));
   if (!recorder) {
     return recorder.error();
