@@ -114,6 +114,9 @@ class Run {
   }
 
   void finish(BodyRun& run) const {
+    if (hook_ != nullptr) {
+      hook_->finished(filter);
+    }
     run.last = filter.state();
     run.log_likelihood = filter.log_likelihood();
     run.gyroscopes = filter.gyroscope_counts();

@@ -27,6 +27,8 @@ class BodyStepHook {
                              StepRecord* record) = 0;
   /// Behind the step: updates by measurements of its own, appended to the record.
   virtual void after(BodyFilter& filter, const BodyInstant& instant, std::size_t number, StepRecord* record) = 0;
+  /// Behind the last step of the forward run.
+  virtual void finished(const BodyFilter& /*filter*/) {}
 };
 
 }  // namespace limbwave::estimate
