@@ -114,6 +114,7 @@ struct PredictRecord {
 
 /// What a step did, in order: the prediction, then updates.
 struct StepRecord {
+  bool forgets = false;  ///< Velocities and accelerations were forgotten before the prediction (body_step_hook.h).
   PredictRecord predict;
   std::vector<UpdateRecord> updates;
 };
