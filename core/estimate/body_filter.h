@@ -49,7 +49,7 @@ struct BodyFilterParameters {
 
   // Constants: prior and random walk per √s.
   double gyroscope_bias = 0.002, gyroscope_bias_walk = 1e-4;
-  double accelerometer_bias = 0.05, accelerometer_bias_walk = 1e-3;
+  double accelerometer_bias = 0.15, accelerometer_bias_walk = 1e-3;  ///< With what scale and cross-axis make of g.
   double mount_rotation = 0.05, mount_rotation_walk = 0.0;
   double mount_place = 0.006, mount_place_walk = 0.0;
   double source_place = 0.006;

@@ -16,7 +16,7 @@ struct CovarianceKernel {
                    const double* C, long n);
 };
 
-/// The best for this processor; all give the same bits.
+/// The best for this processor. On one processor results are always the same; between processors they agree to rounding.
 const CovarianceKernel& covariance_kernel();
 /// The one for every processor.
 const CovarianceKernel& portable_covariance_kernel();

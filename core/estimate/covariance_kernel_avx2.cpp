@@ -1,4 +1,4 @@
-// Compiled for AVX2 without fused operations.
+// Compiled for AVX2 with fused operations.
 #include "estimate/covariance_kernel.h"
 
 namespace limbwave::estimate {

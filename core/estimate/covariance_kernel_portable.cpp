@@ -16,7 +16,7 @@ const CovarianceKernel& avx2_covariance_kernel();
 
 const CovarianceKernel& covariance_kernel() {
 #ifdef LIMBWAVE_AVX2_KERNEL
-  static const bool avx2 = __builtin_cpu_supports("avx2") != 0;
+  static const bool avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
   if (avx2) {
     return avx2_covariance_kernel();
   }

@@ -96,6 +96,7 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
     p.gyroscope_bias_walk = 2e-4;
     p.accelerometer_noise = 0.05;
     p.accelerometer_relative = 0.01;
+    p.accelerometer_bias = 0.05;
     p.accelerometer_bias_walk = 1e-4;
     p.gate_probability = 0.0;  // there is nothing that could contradict it
   }

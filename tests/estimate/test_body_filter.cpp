@@ -107,7 +107,7 @@ TEST(ErrorCovariance, AGatedGroupChangesNothing) {
   EXPECT_EQ((a - b).norm(), 0.0);
 }
 
-TEST(ErrorCovariance, IsTheSameOnEveryProcessor) {
+TEST(ErrorCovariance, AgreesToRoundingOnEveryProcessor) {
   std::mt19937 random(5);
   const int n = 77;
   const MatrixXd P = random_covariance(n, random);
@@ -124,7 +124,7 @@ TEST(ErrorCovariance, IsTheSameOnEveryProcessor) {
     covariance.update(groups.data(), groups.data() + groups.size(), x);
     results[i] = covariance.dense();
   }
-  EXPECT_EQ((results[0] - results[1]).norm(), 0.0);
+  EXPECT_LT((results[0] - results[1]).norm(), 1e-14 * n * P.norm());
 }
 
 // A wearer who moves just as the filter's model says, from a start drawn from its prior, with readings drawn from the
@@ -291,6 +291,7 @@ BodyFilterParameters modelled_errors_only() {
   p.gyroscope_bias_walk = p.accelerometer_bias_walk = p.mount_rotation_walk = p.mount_place_walk = 0.0;
   p.range_offset_walk = p.sound_scale_walk = 0.0;
   p.mount_rotation = 0.01;
+  p.accelerometer_bias = 0.05;
   p.tissue_angle = 0.0;
   p.acceleration_time = 0.0;
   p.rest_pose = 0.02;
