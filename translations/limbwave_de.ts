@@ -3509,6 +3509,10 @@
         <source>Calibrate from a stretch of a take in which sensors were turned or poses held</source>
         <translation>Aus einem Abschnitt eines Takes kalibrieren, in dem Sensoren gedreht oder Posen gehalten wurden</translation>
     </message>
+    <message>
+        <source> The solve found it in the take&apos;s own calibration movements or in the library.</source>
+        <translation> Die Berechnung fand sie in den Kalibrierbewegungen des Takes oder in der Bibliothek.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CalibrateWorkspace</name>
@@ -4916,6 +4920,10 @@
     <message>
         <source>turn %1 live</source>
         <translation>%1 live drehen</translation>
+    </message>
+    <message>
+        <source>The turns of bones are not kept</source>
+        <translation>Die Drehungen der Knochen werden nicht behalten</translation>
     </message>
 </context>
 <context>

@@ -103,6 +103,7 @@ void add_solve(CLI::App& app, Console& console) {
     }
     const auto solved = [&] {
       if (options->method == "inclination") {
+        settings.headings = solve::known_headings(take, settings.name);  // The user's own; nothing else knows them.
         return solve::solve_take(take, settings, console.progress());
       }
       solve::BodySolveSettings body{settings.name, options->sensors, options->method == "smoother", options->root};

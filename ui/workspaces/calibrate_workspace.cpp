@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "workspaces/calibrate_history.h"
+#include "workspaces/solve/solve_model.h"
 
 namespace limbwave::ui {
 
@@ -69,6 +70,12 @@ CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::Calibration
   connect(stretch_model_.get(), &StretchModel::failed, this, [this](const Error& error) {
     context_.notifications().post_error(tr("Calibration from a recording"), error);
   });
+  SolveModel& solving = SolveModel::of(context_);
+  const auto follow_solve = [this, &solving] {
+    overview_->set_used(solving.solve() ? solving.solve()->report.used_calibration : std::nullopt);
+  };
+  connect(&solving, &SolveModel::solve_changed, this, follow_solve);
+  follow_solve();
   show_overview();
 }
 

@@ -7,6 +7,7 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "common/core_text.h"
 #include "common/theme.h"
 #include "solve/report_text.h"
 #include "workspaces/solve/quality_text.h"
@@ -131,7 +132,7 @@ void SettingsCard::show_state() {
   setEnabled(model_.state() != SolveState::kNoTake);
   solve_->setText(busy ? tr("Cancel solving") : (model_.solve() ? tr("Solve again") : tr("Solve")));
   solve_->setEnabled(model_.state() != SolveState::kNoTake && model_.state() != SolveState::kLoading);
-  const QString used = model_.solve() ? QString::fromStdString(model_.solve()->report.calibration) : QString();
+  const QString used = model_.solve() ? core_text(model_.solve()->report.calibration) : QString();
   source_->setText(used.isEmpty() ? QString() : tr("Used: %1").arg(used));
   source_->setVisible(!used.isEmpty());
 }

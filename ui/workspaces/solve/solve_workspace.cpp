@@ -105,8 +105,10 @@ QWidget* SolveWorkspace::make_toolbar() {
   };
   toggle(QStringLiteral("grid"), tr("Show the floor"), [this](bool on) { viewer_->set_floor_visible(on); });
   toggle(QStringLiteral("sensor"), tr("Show the sensors"), [this](bool on) { viewer_->set_sensors_visible(on); });
+  // Not at first: without headings the two point elsewhere, which looks like a fault of the solve.
   ghost_ = toggle(QStringLiteral("person"), tr("Show the truth of this simulated take"),
                   [this](bool on) { viewer_->set_ghost_visible(on); });
+  ghost_->setChecked(false);
   connect(live_button_, &QPushButton::clicked, this, [this](bool live) {
     wish_ = live;
     follow_live();
