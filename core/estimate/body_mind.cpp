@@ -58,37 +58,25 @@ std::vector<Quaterniond> rotations(const JsonReader& from) {
   return values;
 }
 
-void put_tissue(const auto& s, json& state) {
-  if constexpr (requires { s.tissue_angle; }) {
-    state["tissue_angle"] = list(s.tissue_angle);
-    state["tissue_gain"] = list(s.tissue_gain);
-  }
-}
-void get_tissue(const JsonReader& state, auto& s) {
-  if constexpr (requires { s.tissue_angle; }) {
-    s.tissue_angle = vectors(state.at("tissue_angle"));
-    s.tissue_gain = vectors(state.at("tissue_gain"));
-  }
-}
-
 }  // namespace
 
 std::string mind_to_text(const BodyMind& mind) {
   const BodyState& s = mind.filter.state;
-  json state{{"time_s", s.time_s},
-             {"R_joint", list(s.joints.R_joint)},
-             {"q", list(s.joints.q)},
-             {"qd", list(s.joints.qd)},
-             {"qdd", list(s.joints.qdd)},
-             {"gyroscope_bias", list(s.gyroscope_bias)},
-             {"accelerometer_bias", list(s.accelerometer_bias)},
-             {"mount_place", list(s.mount_place)},
-             {"source_place", list(s.source_place)},
-             {"mount_rotation", list(s.mount_rotation)},
-             {"range_offset", s.range_offset},
-             {"bone_scale", s.bone_scale},
-             {"sound_scale", s.sound_scale}};
-  put_tissue(s, state);
+  const json state{{"time_s", s.time_s},
+                   {"R_joint", list(s.joints.R_joint)},
+                   {"q", list(s.joints.q)},
+                   {"qd", list(s.joints.qd)},
+                   {"qdd", list(s.joints.qdd)},
+                   {"gyroscope_bias", list(s.gyroscope_bias)},
+                   {"accelerometer_bias", list(s.accelerometer_bias)},
+                   {"mount_place", list(s.mount_place)},
+                   {"source_place", list(s.source_place)},
+                   {"mount_rotation", list(s.mount_rotation)},
+                   {"tissue_angle", list(s.tissue_angle)},
+                   {"tissue_gain", list(s.tissue_gain)},
+                   {"range_offset", s.range_offset},
+                   {"bone_scale", s.bone_scale},
+                   {"sound_scale", s.sound_scale}};
   const json all{{"schema", 1},
                  {"kind", "body-filter-state"},
                  {"states", mind.states},
@@ -130,10 +118,11 @@ Result<BodyMind> mind_from_text(const std::string& text, const std::string& plac
   s.mount_place = vectors(state.at("mount_place"));
   s.source_place = vectors(state.at("source_place"));
   s.mount_rotation = rotations(state.at("mount_rotation"));
+  s.tissue_angle = vectors(state.at("tissue_angle"));
+  s.tissue_gain = vectors(state.at("tissue_gain"));
   s.range_offset = numbers(state.at("range_offset"));
   s.bone_scale = numbers(state.at("bone_scale"));
   s.sound_scale = state.at("sound_scale").number();
-  get_tissue(state, s);
   mind.filter.next_prior_s = reader.at("next_prior_s").number();
   mind.filter.P = numbers(reader.at("covariance"));
   mind.watch_text = reader.at("watch").raw().dump();

@@ -88,7 +88,7 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
                                     : estimate::RootMode::kGiven;
   if (model.skeleton.segments.size() == 1) {
     // A single thing in somebody's hand: where its sensor sits on it is all that is known, and it stays in reach.
-    p.mount_rotation = p.mount_place = p.bone_scale = 0.0;
+    p.mount_rotation = p.mount_place = p.bone_scale = p.tissue_angle = p.acceleration_time = 0.0;
     p.root_speed = 0.3;
     p.root_reach = 0.15;
     p.acceleration_walk = 20000.0;
