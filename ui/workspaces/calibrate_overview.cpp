@@ -99,7 +99,13 @@ SensorRow::SensorRow(int sensor, QWidget* parent)
     badge->setMinimumWidth(kBadgeWidth - kRepeatWidth);
     layout->addWidget(badge, 1);
     button->setObjectName(name);
-    button->setFixedWidth(kRepeatWidth);
+    // As wide as the longer of the two verbs in this language, so that all rows look alike.
+    int width = kRepeatWidth;
+    for (const QString& verb : {tr("Calibrate"), tr("Repeat")}) {
+      button->setText(verb);
+      width = std::max(width, button->sizeHint().width());
+    }
+    button->setFixedWidth(width);
     layout->addWidget(button);
   };
   add(range_, repeat_range_, QStringLiteral("range_%1").arg(sensor));
@@ -231,8 +237,8 @@ void CalibrateOverview::refresh() {
                             : tr("Take: %1.").arg(desk_.context().document().name());
   const QString wearer = desk_.wearer().isEmpty() ? QString() : tr(" Worn by %1.").arg(desk_.wearer());
   const QString found = from_solve == 0 ? QString()
-                                        : tr(" The solve found it in the take's own calibration movements or in the "
-                                             "library.");
+                                        : tr(" What the take does not carry, its solve took from the take's own "
+                                             "calibration movements or from the library.");
   subline_->setText(where + wearer + found + QLatin1Char(' ') + summary.next);
   const bool ranges_first = summary.ranges < static_cast<int>(desk_.rig().accelerometers.size());
   set_style_property(range_, "primary", ranges_first);
