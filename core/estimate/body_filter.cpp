@@ -12,7 +12,8 @@ namespace {
 using body::TreeLink;
 using Eigen::VectorXd;
 
-// Rows that are updated with at once: more rows pass over the covariance less often, fewer need less to be decorrelated.
+// Rows that are updated with at once: more rows pass over the covariance less often, fewer need less to be
+// decorrelated.
 constexpr int kChunkRows = 36;
 
 BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, const body::Tree& tree) {

@@ -32,10 +32,9 @@ bool contradicted(const std::vector<ReadingCount>& before, const std::vector<Rea
 
 BodyFilterParameters exact_parameters(const BodyFilterParameters& parameters) {
   BodyFilterParameters p = parameters;
-  for (double* constant :
-       {&p.gyroscope_bias, &p.accelerometer_bias, &p.mount_rotation, &p.mount_place, &p.source_place, &p.tissue_angle,
-        &p.range_offset, &p.sound_scale, &p.bone_scale, &p.gyroscope_relative, &p.accelerometer_relative,
-        &p.limit_softness}) {
+  for (double* constant : {&p.gyroscope_bias, &p.accelerometer_bias, &p.mount_rotation, &p.mount_place, &p.source_place,
+                           &p.tissue_angle, &p.range_offset, &p.sound_scale, &p.bone_scale, &p.gyroscope_relative,
+                           &p.accelerometer_relative, &p.limit_softness}) {
     *constant = 0.0;
   }
   p.range_model = 0.0005;
