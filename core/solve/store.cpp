@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,10 +10,10 @@
 #include "base/folder.h"
 #include "base/json_reader.h"
 #include "base/json_text.h"
-#include "base/units.h"
 #include "interchange/gltf_clip.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
+#include "solve/uncertainty.h"
 
 namespace limbwave::solve {
 namespace {
@@ -23,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kOld = ".old";
 constexpr const char* kDamaged = ".damaged-";
+constexpr const char* kUncertainty = "uncertainty.csv";
 constexpr const char* kLiveHeadings = "live_headings.json";
 
 Status check_name(const std::string& name) {
@@ -64,19 +64,6 @@ Result<nlohmann::json> load_json(const fs::path& path) {
   return parse_json(*text, path.string());
 }
 
-// A table for other programs: a row a time and segment.
-std::string uncertainty_text(const Solve& solve) {
-  const Solve::Uncertainty& u = solve.uncertainty;
-  std::string text = "time_s,segment,joint_sigma_deg,point_sigma_mm\n";
-  for (std::size_t i = 0; i < u.times.size() && i < u.joint.size() && i < u.point.size(); ++i) {
-    for (std::size_t s = 0; s < u.joint[i].size() && s < solve.clip.skeleton.segments.size(); ++s) {
-      text += fmt::format("{:.4f},{},{:.3f},{:.1f}\n", u.times[i], solve.clip.skeleton.segments[s].name,
-                          degrees(u.joint[i][s]), 1e3 * u.point[i][s]);
-    }
-  }
-  return text;
-}
-
 Status write_parts(const fs::path& folder, const Solve& solve) {
   if (Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
     return status;
@@ -86,7 +73,8 @@ Status write_parts(const fs::path& folder, const Solve& solve) {
     return status;
   }
   if (!solve.uncertainty.times.empty()) {
-    if (Status status = write_file(folder / "uncertainty.csv", uncertainty_text(solve)); !status) {
+    if (Status status = write_file(folder / kUncertainty, uncertainty_to_csv(solve.uncertainty, solve.clip.skeleton));
+        !status) {
       return status;
     }
   }
@@ -266,6 +254,15 @@ Result<Solve> load_solve(const take::Take& take, const std::string& name) {
   damaged = damaged || std::any_of(solve.trust.begin(), solve.trust.end(), [&](const std::vector<float>& sensor) {
               return !sensor.empty() && sensor.size() != frames;
             });
+  if (const fs::path file = folder / kUncertainty; !damaged && fs::exists(file, code)) {
+    const Result<std::string> text = read_file(file);
+    Result<Solve::Uncertainty> read = text ? uncertainty_from_csv(*text, solve.clip.skeleton, file.string())
+                                           : Result<Solve::Uncertainty>(text.error());
+    if (!read) {
+      return read.error();
+    }
+    solve.uncertainty = std::move(*read);
+  }
   if (damaged) {
     return Error{"is damaged", (folder / "quality.json").string(), "solve the take again"};
   }

@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/units.h"
 #include "solve/compose.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
+#include "solve/uncertainty.h"
 #include "support/simulated_take.h"
 
 namespace limbwave::solve {
@@ -108,6 +110,29 @@ TEST_F(SolveStore, TurnsOfARecordingAreKnownUntilASolveHasItsOwn) {
   require(save_solve(take, solve(1.0)));
   EXPECT_EQ(known_headings(take, "default").size(), 2U);
   EXPECT_EQ(known_headings(take, "other").size(), 3U);
+}
+
+TEST_F(SolveStore, UncertaintyIsKeptTenTimesASecond) {
+  Solve before = solve(1.0);
+  before.clip.skeleton.segments[1].name = "upper, \"left\" arm";
+  const std::size_t segments = before.clip.skeleton.segments.size();
+  for (int i = 0; i < 50; ++i) {
+    before.uncertainty.times.push_back(i / 60.0);
+    before.uncertainty.joint.emplace_back(segments, 0.01F + 0.001F * static_cast<float>(i));
+    before.uncertainty.point.emplace_back(segments, 0.002F);
+  }
+  require(save_solve(take, before));
+  const Solve::Uncertainty after = require(load_solve(take, "default")).uncertainty;
+  EXPECT_EQ(after.times.size(), 9U);  // 0.0, 0.1 ... 0.8 s
+  EXPECT_NEAR(joint_sigma_deg(after, 1, 0.4), degrees(0.01 + 0.001 * 24), 1e-3);
+  EXPECT_NEAR(joint_sigma_deg(after, 1, 9.0), joint_sigma_deg(after, 1, 0.8), 1e-12);
+  EXPECT_NEAR(after.point[3][2], 0.002F, 1e-6F);
+  // A line cut off, and a table that ends within an instant.
+  for (const char* bad : {"time_s,segment,joint_sigma_deg,point_sigma_mm\n0.0,torso,1.0",
+                          "time_s,segment,joint_sigma_deg,point_sigma_mm\n0.0,torso,1.0,nan\n",
+                          "time_s,segment,joint_sigma_deg,point_sigma_mm\n0.0,torso,1.0,2.0\n"}) {
+    EXPECT_FALSE(uncertainty_from_csv(bad, before.clip.skeleton, "x").ok()) << bad;
+  }
 }
 
 TEST_F(SolveStore, ReplacesAndLeavesNothingElse) {

@@ -340,6 +340,8 @@ class SolveWorkspaceTest : public SolveWindowTest {
     QCOMPARE(find<QComboBox>(QStringLiteral("Smoothing"))->isVisible(), false);
     QVERIFY(model().evaluation().has_value());
     QVERIFY2(model().evaluation()->all.inclination_mean_deg < 3.0, "the figure follows the body");
+    const auto& curve = model().curves()->front();
+    QVERIFY(curve.sigma_deg.size() == curve.elevation_deg.size() && curve.sigma_deg.front() > 0.0F);
     // Eighteen sensors do not fit: the selected one is scrolled to.
     auto* bar = workspace().findChild<CurvesPanel*>()->findChild<QScrollBar*>();
     QVERIFY(bar->isVisible());

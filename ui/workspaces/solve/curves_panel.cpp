@@ -19,7 +19,8 @@ constexpr double kValues = 132;
 constexpr double kHeader = 22;
 constexpr double kLeastRow = 22;
 constexpr double kTrustHeight = 5;
-constexpr double kHighest = 90.0;  // Degrees.
+constexpr double kHighest = 90.0;    // Degrees.
+constexpr double kWorstSigma = 5.0;  // Degrees: as uncertain as the map can say.
 
 }  // namespace
 
@@ -65,6 +66,11 @@ void CurvesPanel::fit_bar() {
 
 double CurvesPanel::room() const {
   return bar_->isHidden() ? width() : width() - bar_->width();
+}
+
+bool CurvesPanel::tells_sigma() const {
+  return curves_ && std::any_of(curves_->begin(), curves_->end(),
+                                [](const SensorCurve& curve) { return !curve.sigma_deg.empty(); });
 }
 
 double CurvesPanel::row_height() const {
@@ -154,12 +160,15 @@ void CurvesPanel::draw(QPainter& painter) const {
   painter.setPen(theme.dim);
   painter.drawText(QRectF(kNames, 0, width(), kHeader), Qt::AlignVCenter, tr("Elevation of the bone, −90° to 90°"));
   // The scale of trust, right beside its name.
-  const QString trust = tr("Trust");
+  const bool uncertain = tells_sigma();
+  const QString trust = uncertain ? tr("± σ") : tr("Trust");
   const QRectF bar(room() - kValues - 140, kHeader / 2 - 3, 64, 6);
   const double named = painter.fontMetrics().horizontalAdvance(trust) + 4.0;
   painter.drawText(QRectF(bar.left() - 20 - named, 0, named, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
-  painter.drawText(QRectF(bar.left() - 16, 0, 12, kHeader), Qt::AlignVCenter | Qt::AlignRight, QStringLiteral("0"));
-  painter.drawText(QRectF(bar.right() + 4, 0, 24, kHeader), Qt::AlignVCenter, QStringLiteral("1"));
+  painter.drawText(QRectF(bar.left() - 16, 0, 12, kHeader), Qt::AlignVCenter | Qt::AlignRight,
+                   uncertain ? tr("%1°").arg(kWorstSigma) : QStringLiteral("0"));
+  painter.drawText(QRectF(bar.right() + 4, 0, 24, kHeader), Qt::AlignVCenter,
+                   uncertain ? tr("0°") : QStringLiteral("1"));
   for (int x = 0; x < static_cast<int>(bar.width()); ++x) {
     painter.fillRect(QRectF(bar.left() + x, bar.top(), 1, bar.height()), confidence_color(x / bar.width()));
   }
@@ -236,7 +245,9 @@ void CurvesPanel::draw_curve(QPainter& painter, const SensorCurve& curve, const 
 
 void CurvesPanel::draw_trust(QPainter& painter, const SensorCurve& curve, const QRectF& area) const {
   const TimeScale s = scale();
-  const auto count = static_cast<std::ptrdiff_t>(std::min(curve.trust.size(), times_.size()));
+  const bool uncertain = !curve.sigma_deg.empty();
+  const std::vector<float>& values = uncertain ? curve.sigma_deg : curve.trust;
+  const auto count = static_cast<std::ptrdiff_t>(std::min(values.size(), times_.size()));
   if (count == 0) {
     return;
   }
@@ -248,17 +259,18 @@ void CurvesPanel::draw_trust(QPainter& painter, const SensorCurve& curve, const 
   };
   const auto paint = [&](std::ptrdiff_t from, std::ptrdiff_t to, double value) {
     painter.fillRect(QRectF(x(from), area.top(), std::max(1.0, x(to) - x(from) + 0.5), area.height()),
-                     confidence_color(value));
+                     confidence_color(uncertain ? 1.0 - value / kWorstSigma : value));
   };
   if (last - first < 2 * static_cast<std::ptrdiff_t>(s.width)) {
     for (std::ptrdiff_t i = first; i <= last; ++i) {
-      paint(i, i + 1, curve.trust[static_cast<std::size_t>(i)]);
+      paint(i, i + 1, values[static_cast<std::size_t>(i)]);
     }
     return;
   }
-  // The least trusted reading of a pixel shows: a short knock must not vanish.
-  for (const signal::MinMaxPoint& point : curve.trust_extremes.query(first, last + 1, static_cast<int>(s.width))) {
-    paint(point.first, point.first + point.count, point.minimum);
+  // The worst of a pixel shows: a short knock must not vanish.
+  const auto& extremes = uncertain ? curve.sigma_extremes : curve.trust_extremes;
+  for (const signal::MinMaxPoint& point : extremes.query(first, last + 1, static_cast<int>(s.width))) {
+    paint(point.first, point.first + point.count, uncertain ? point.maximum : point.minimum);
   }
 }
 
@@ -287,7 +299,11 @@ void CurvesPanel::draw_values(QPainter& painter) const {
       painter.drawText(QRectF(cell.left(), cell.top(), 52, cell.height()), Qt::AlignVCenter | Qt::AlignRight,
                        tr("%1°").arg(signed_number(static_cast<double>(curve.elevation_deg[i]), 1)));
     }
-    if (i < curve.trust.size()) {
+    if (i < curve.sigma_deg.size()) {
+      painter.setPen(theme.dim);
+      painter.drawText(QRectF(cell.left() + 60, cell.top(), 56, cell.height()), Qt::AlignVCenter | Qt::AlignRight,
+                       tr("± %1°").arg(locale().toString(static_cast<double>(curve.sigma_deg[i]), 'f', 1)));
+    } else if (i < curve.trust.size()) {
       painter.setPen(theme.dim);
       painter.drawText(QRectF(cell.left() + 60, cell.top(), 56, cell.height()), Qt::AlignVCenter | Qt::AlignRight,
                        locale().toString(static_cast<double>(curve.trust[i]), 'f', 2));

@@ -1,4 +1,5 @@
-/// Curves under the figure: for every sensor the elevation of its bone and how far its reading was trusted.
+/// Curves under the figure: for every sensor the elevation of its bone and how far its reading was trusted, or how sure
+/// the pose is.
 #pragma once
 
 #include <QPixmap>
@@ -41,6 +42,7 @@ class CurvesPanel : public QWidget {
 
  private:
   [[nodiscard]] std::size_t rows() const { return curves_ ? curves_->size() : 0; }
+  [[nodiscard]] bool tells_sigma() const;
   /// Without the scroll bar.
   [[nodiscard]] double room() const;
   [[nodiscard]] double row_height() const;

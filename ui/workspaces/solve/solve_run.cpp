@@ -2,6 +2,7 @@
 
 #include "solve/compose.h"
 #include "solve/solve.h"
+#include "solve/uncertainty.h"
 #include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui {
@@ -20,6 +21,13 @@ SensorCurves make_curves(const take::Take& take, const solve::Solve& solve) {
     curve.elevation_deg = std::move(elevation[i]);
     if (i < solve.trust.size()) {
       curve.trust = solve.trust[i];
+    }
+    if (!solve.uncertainty.times.empty() && segments[i] >= 0 && !solve.clip.joints.empty()) {
+      for (const double time : solve.clip.joints.front().rotation.times) {
+        curve.sigma_deg.push_back(
+            static_cast<float>(solve::joint_sigma_deg(solve.uncertainty, static_cast<std::size_t>(segments[i]), time)));
+      }
+      curve.sigma_extremes.append(curve.sigma_deg);
     }
     curve.elevation_extremes.append(curve.elevation_deg);
     curve.trust_extremes.append(curve.trust);

@@ -18,9 +18,10 @@ struct SensorCurve {
   QString name;
   int segment = -1;
   std::vector<float> elevation_deg;
-  std::vector<float> trust;  ///< 0..1
-  /// Of the two, so that an hour is drawn as fast as a second.
-  signal::MinMaxPyramid elevation_extremes{16}, trust_extremes{16};
+  std::vector<float> trust;      ///< 0..1
+  std::vector<float> sigma_deg;  ///< Of the bone's joint, where the method tells; then in place of trust.
+  /// Of these, so that an hour is drawn as fast as a second.
+  signal::MinMaxPyramid elevation_extremes{16}, trust_extremes{16}, sigma_extremes{16};
 };
 
 /// Never changed once made, so that faces share it.
