@@ -137,19 +137,18 @@ void add_export(CLI::App& app, Console& console) {
                    fmt::format("Program that it is for: {}, or a file", fmt::join(interchange::preset_names(), ", ")))
       ->capture_default_str();
   command->add_option("--fps", options->fps, "Frames a second; 0: as the clip has them")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(within(0.0, 1000.0))
       ->capture_default_str();
   command->add_option("--from", options->from, "First second that is written")
-      ->check(CLI::NonNegativeNumber)
+      ->check(within(0.0, 1e9))
       ->capture_default_str();
-  command->add_option("--to", options->to, "Last second that is written; default: the end")
-      ->check(CLI::NonNegativeNumber);
+  command->add_option("--to", options->to, "Last second that is written; default: the end")->check(within(0.0, 1e9));
   command->add_option("--root", options->root, "Way over the floor: free or in-place; default: as the preset has it")
       ->check(CLI::IsMember({"free", "in-place"}));
   command
       ->add_option("--key-tolerance", options->key_tolerance_deg,
                    "Leave out keys as long as no joint turns by more, degrees; 0: keep all")
-      ->check(CLI::Range(0.0, 45.0))
+      ->check(within(0.0, 45.0))
       ->capture_default_str();
   command->add_option("--unit", options->unit, "Unit of lengths in BVH and FBX: cm or m; default: as the preset has it")
       ->check(CLI::IsMember({"cm", "m"}));

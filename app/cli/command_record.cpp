@@ -198,16 +198,16 @@ void add_record(CLI::App& app, Console& console) {
                       "Rig: a name or a file; line-in-arm or, with a driver box, driver-box-body");
   command->add_option("--subject", options->subject, "Who wears it");
   command->add_option("--seconds", options->seconds, "Stop after this time; 0: at Ctrl-C")
-      ->check(CLI::Range(0.0, 864000.0))
+      ->check(within(0.0, 864000.0))
       ->capture_default_str();
   command->add_option("--rate", options->rate, "Samples a second; of a sound card as a driver box 192000 unless given")
-      ->check(CLI::Range(44100.0, 192000.0))
+      ->check(within(44100.0, 192000.0))
       ->capture_default_str();
   command->add_option("--temperature", options->temperature, "Of the air, °C: the speed of sound of a driver box")
-      ->check(CLI::Range(-30.0, 60.0))
+      ->check(within(-30.0, 60.0))
       ->capture_default_str();
   command->add_option("--humidity", options->humidity, "Relative, of the air, per cent")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(within(0.0, 100.0))
       ->capture_default_str();
   command->add_option("--type", options->type, "Sample type")
       ->check(CLI::IsMember({"int16", "int24", "int32", "float32"}))

@@ -31,10 +31,10 @@ void add_simulate(CLI::App& app, Console& console) {
       ->capture_default_str();
   command->add_option("--seed", options->settings.seed, "Seed of everything random")->capture_default_str();
   command->add_option("--seconds", options->settings.seconds, "Length of the motion; 0: its own")
-      ->check(CLI::Range(0.0, 36000.0))
+      ->check(within(0.0, 36000.0))
       ->capture_default_str();
   command->add_option("--rate", options->rate, "Samples a second")
-      ->check(CLI::Range(44100.0, 192000.0))
+      ->check(within(44100.0, 192000.0))
       ->capture_default_str();
   command->add_option("--type", options->type, "Sample type")
       ->check(CLI::IsMember({"int16", "int24", "int32", "float32"}))
@@ -45,6 +45,9 @@ void add_simulate(CLI::App& app, Console& console) {
   command->callback([options, &console] {
     simulate::SimulateSettings settings = options->settings;
     settings.errors_name = options->errors;
+    if (options->take.empty()) {
+      console.fail({"has no name", "TAKE", "name the folder that is to be made"});
+    }
     if (console.check(body::load_rig(settings.rig)).driver_box) {
       settings.driver_box_errors = console.check(simulate::load_driver_box_errors(options->errors));
     } else {

@@ -46,7 +46,7 @@ void add_solve(CLI::App& app, Console& console) {
       ->check(CLI::IsMember({"chain", "adaptive", "bridging", "none"}))
       ->capture_default_str();
   command->add_option("--smoothing-time", options->settings.smoothing_s, "Time scale of smoothing, seconds")
-      ->check(CLI::Range(estimate::kLeastSmoothing_s, 2.0))
+      ->check(within(estimate::kLeastSmoothing_s, 2.0))
       ->capture_default_str();
   command
       ->add_option("--calibration", options->settings.calibration,
@@ -56,7 +56,7 @@ void add_solve(CLI::App& app, Console& console) {
   command
       ->add_option("--coupling", options->coupling,
                    "Corner of the sound card's high pass, Hz; 0: no correction; otherwise found from the signal")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(within(0.0, 100.0));
   command->add_option("--left", options->left, "Polarity of the left channel")
       ->check(CLI::IsMember({"auto", "normal", "inverted"}))
       ->capture_default_str();

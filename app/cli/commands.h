@@ -2,10 +2,30 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <string>
 
 #include "console.h"
 
 namespace limbwave::cli {
+
+/// A finite number of an interval; CLI::Range lets through what is not a number.
+inline CLI::Validator within(double least, double most) {
+  const auto words = [](double value) {
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+  };
+  const std::string interval = std::isfinite(most) ? words(least) + " to " + words(most) : "at least " + words(least);
+  return {[=](std::string& text) -> std::string {
+            double value = 0.0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && std::isfinite(value) && value >= least && value <= most
+                       ? std::string()
+                       : "Value " + text + " is not a number " + interval;
+          },
+          "(" + interval + ")", "within"};
+}
 
 /// The option `--json [FILE]` of commands that report: "-" or nothing is standard output.
 void add_json_option(CLI::App& command, std::string& file, const std::string& what);

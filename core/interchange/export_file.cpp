@@ -14,6 +14,7 @@
 #include "interchange/fbx_writer.h"
 #include "interchange/frame_rate.h"
 #include "interchange/gltf_file.h"
+#include "interchange/preset.h"
 #include "motion/key_reduction.h"
 #include "motion/mannequin.h"
 #include "motion/transforms.h"
@@ -126,7 +127,7 @@ Result<Clip> cut(Clip clip, const ExportOptions& options) {
   }
   if (!(options.begin_s >= 0.0 && options.begin_s < end)) {
     return Error{fmt::format("from {:.3f} s to {:.3f} s there is nothing; it is {:.3f} s long", options.begin_s,
-                             options.end_s, clip.duration()),
+                             std::max(end, options.begin_s), clip.duration()),
                  clip.name, "choose a part inside the clip"};
   }
   return motion::trimmed(clip, options.begin_s, end);
@@ -161,6 +162,15 @@ Status write(const std::vector<Clip>& clips, FileFormat format, const Preset& pr
     case FileFormat::kCsv:
       return write_csv_poses(clips.front(), path, {.fps = fps}, progress);
     default:
+      if (format == FileFormat::kVrm) {
+        // Whatever the preset: without these bones no program takes it for a VRM.
+        const Result<Preset> vrm = load_preset("vrm");
+        for (std::size_t i = 0; vrm && i < clips.size(); ++i) {
+          if (Status whole = check_required(clips[i], *vrm); !whole) {
+            return whole;
+          }
+        }
+      }
       return write_gltf(pointers, path, {.vrm = format == FileFormat::kVrm}, progress);
   }
 }

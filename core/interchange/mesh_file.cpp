@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cctype>
 
 #include "base/files.h"
 #include "interchange/bone_map.h"
@@ -25,6 +26,11 @@ Result<motion::TriangleMesh> load_mesh(const std::filesystem::path& path) {
     return bytes.error();
   } else if (bytes->empty()) {
     return Error{"is empty", path.string(), "save the mesh as .obj, .glb or .fbx"};
+  }
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending != ".obj" && ending != ".glb" && ending != ".gltf" && ending != ".vrm" && ending != ".fbx") {
+    return Error{"is no mesh that can be read", path.string(), "save it as .obj, .glb or .fbx"};
   }
   // By name, not from memory: a .gltf has its numbers in files beside it.
   Assimp::Importer importer;

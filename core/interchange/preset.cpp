@@ -85,7 +85,10 @@ motion::Clip along_bones(motion::Clip clip, const Vector3d& own) {
   return motion::with_bone_frames(std::move(clip), turns);
 }
 
-Status check_required(const motion::Clip& clip, const Preset& preset, const std::vector<std::string>& roles) {
+}  // namespace
+
+Status check_required(const motion::Clip& clip, const Preset& preset) {
+  const std::vector<std::string> roles = roles_of(clip.skeleton);
   std::vector<std::string> missing;
   for (const std::string& role : preset.required) {
     if (std::ranges::find(roles, role) == roles.end()) {
@@ -98,8 +101,6 @@ Status check_required(const motion::Clip& clip, const Preset& preset, const std:
   return Error{fmt::format("{} needs bones that the skeleton lacks: {}", preset.title, fmt::join(missing, ", ")),
                clip.name, "capture a whole body, choose another preset, or name the bones in a bone map"};
 }
-
-}  // namespace
 
 Result<Preset> load_preset(const std::string& name_or_path) {
   const std::string path = find_resource("presets", name_or_path).string();
@@ -143,7 +144,7 @@ Result<motion::Clip> arranged(motion::Clip clip, const Preset& preset) {
     return Error{"has no bones", clip.name, "export a clip with a skeleton"};
   }
   const std::vector<std::string> roles = roles_of(clip.skeleton);
-  if (const Status complete = check_required(clip, preset, roles); !complete) {
+  if (const Status complete = check_required(clip, preset); !complete) {
     return complete.error();
   }
   if (!preset.bone_map.empty()) {

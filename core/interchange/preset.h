@@ -34,6 +34,9 @@ struct Preset {
 
 /// A shipped or user's preset by name, or a file by path.
 Result<Preset> load_preset(const std::string& name_or_path);
+
+/// Fails, naming them, when bones that the preset requires are missing from the clip's skeleton.
+Status check_required(const motion::Clip& clip, const Preset& preset);
 /// Names of the shipped and the user's presets, sorted, "plain" first.
 std::vector<std::string> preset_names();
 

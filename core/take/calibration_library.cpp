@@ -354,9 +354,16 @@ Status CalibrationLibrary::remove(const fs::path& file) const {
   if (inside.empty() || *inside.begin() == ".." || inside.extension() != ".json") {
     return Error{"is not in the calibration library", file.string(), "name a file that the library lists"};
   }
-  if (!fs::remove(file, code)) {
-    return Error{code ? "cannot be deleted (" + code.message() + ")" : "does not exist", file.string(),
-                 "check its permissions"};
+  if (!fs::exists(file, code)) {
+    return Error{"does not exist", file.string(), "name a file that the library lists"};
+  }
+  fs::path aside = file;
+  for (int number = 1; number == 1 || fs::exists(aside, code); ++number) {
+    aside = file.string() + ".removed-" + std::to_string(number);
+  }
+  fs::rename(file, aside, code);
+  if (code) {
+    return Error{"cannot be taken out (" + code.message() + ")", file.string(), "check its permissions"};
   }
   return {};
 }

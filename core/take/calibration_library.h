@@ -76,7 +76,8 @@ class CalibrationLibrary {
 
   [[nodiscard]] LibraryListing list() const;
   [[nodiscard]] LibraryLookup lookup(const body::Rig& rig, const std::string& subject) const;
-  /// Deletes one record by the file that `list` or `save_*` gave; refuses files that are not in the library.
+  /// Takes out one record by the file that `list` or `save_*` gave; refuses files that are not in the library. Nobody
+  /// calibrates for nothing: the file stays beside the others as NAME.json.removed-1.
   Status remove(const std::filesystem::path& file) const;
 
  private:

@@ -257,6 +257,20 @@ TEST_F(CommandLineContract, OneOfSeveralMovementsIsChosenByNameOrNumber) {
   EXPECT_FALSE(fs::exists(folder / "x.csv"));
 }
 
+TEST_F(CommandLineContract, WhatIsNotANumberIsRefusedAsOne) {
+  ASSERT_EQ(limbwave.run({"simulate", "a.take", "--motion", "wave", "--seconds", "2"}).status, 0);
+  const std::vector<std::vector<std::string>> wrong{{"solve", "a.take", "--smoothing-time", "nan"},
+                                                    {"export", "a.take", "-o", "a.bvh", "--fps", "nan"},
+                                                    {"export", "a.take", "-o", "a.bvh", "--from", "inf"},
+                                                    {"export", "a.take", "-o", "a.bvh", "--to", "-1"},
+                                                    {"simulate", ""}};
+  for (const std::vector<std::string>& arguments : wrong) {
+    const auto outcome = limbwave.run(arguments);
+    EXPECT_NE(outcome.status, 0) << arguments.back();
+    expect_one_line(outcome);
+  }
+}
+
 TEST_F(CommandLineContract, ASolveKeepsTheUsersHeadings) {
   ASSERT_EQ(limbwave.run({"simulate", "a.take", "--motion", "wave", "--seconds", "2"}).status, 0);
   std::ofstream(folder / "a.take" / "live_headings.json") << R"({"schema": 1, "headings_s_rad": [[], [[0.0, 0.5]]]})";

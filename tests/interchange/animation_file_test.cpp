@@ -24,7 +24,7 @@ TEST(AnimationFile, ReadsEveryFormatThatIsWrittenWhateverTheCaseOfItsEnding) {
   const test::TemporaryFolder folder;
   const Clip clip = test::random_clip(8, 20, 30.0, 3);
   const Clip* clips[] = {&clip};
-  for (const char* ending : {".fbx", ".glb", ".gltf", ".bvh", ".vrm"}) {
+  for (const char* ending : {".fbx", ".glb", ".gltf", ".bvh"}) {
     const std::filesystem::path file = folder.path() / (std::string("one") + ending);
     ASSERT_TRUE(export_file(clips, file).ok()) << ending;
     std::string loud = ending;
@@ -40,6 +40,16 @@ TEST(AnimationFile, ReadsEveryFormatThatIsWrittenWhateverTheCaseOfItsEnding) {
     EXPECT_EQ(read->front().skeleton.segments.size(), 8U);
     EXPECT_FALSE(read->front().name.empty());
   }
+}
+
+TEST(AnimationFile, WhatIsNoPersonIsNoVrmWhateverThePreset) {
+  const test::TemporaryFolder folder;
+  const Clip clip = test::random_clip(8, 20, 30.0, 3);
+  const Clip* clips[] = {&clip};
+  const auto refused = export_file(clips, folder.path() / "x.vrm");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().text().find("leftUpperArm"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "x.vrm"));
 }
 
 TEST(AnimationFile, ATakesOwnSolveComesBackExactly) {
@@ -119,6 +129,8 @@ TEST(MeshFile, AGltfWithItsNumbersInAFileBesideItIsReadFromAnywhere) {
   std::filesystem::remove(folder.path() / "numbers.bin");
   EXPECT_FALSE(load_mesh(folder.path() / "mesh.gltf").ok());
   ASSERT_TRUE(write_file(folder.path() / "empty.obj", "").ok());
+  ASSERT_TRUE(write_file(folder.path() / "motion.bvh", "HIERARCHY").ok());
+  EXPECT_FALSE(load_mesh(folder.path() / "motion.bvh").ok());
   EXPECT_FALSE(load_mesh(folder.path() / "empty.obj").ok());
 }
 

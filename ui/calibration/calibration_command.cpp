@@ -69,6 +69,10 @@ void CalibrationCommand::undo() {
   desk_->put_in_use(target_, before_);
   if (entry_ && std::exchange(in_library_, false)) {
     desk_->change_library(entry_, false);
+    // It may be done from another page, and another step may follow that makes it final.
+    desk_->context().notifications().post(
+        Severity::kWarning, CalibrationDesk::tr("Undone: %1. It is not used any more.").arg(text()),
+        CalibrationDesk::tr("Redo brings it back. Its file stays in the library's folder, ending in \".removed\"."));
   }
 }
 

@@ -105,7 +105,7 @@ QWidget* RangeWizard::make_instruction_page() {
          "too fast is left out by itself."),
       tr("The map fills up as you turn. It always names the direction that is missing most.")};
   for (int i = 0; i < steps.size(); ++i) {
-    words->addWidget(paragraph(QStringLiteral("%1.&nbsp; %2").arg(i + 1).arg(steps[i]), page));
+    words->addWidget(paragraph(QStringLiteral("%1. %2").arg(i + 1).arg(steps[i]), page));
   }
   words->addStretch();
   columns->addLayout(words, 2);

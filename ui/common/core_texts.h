@@ -406,7 +406,7 @@ inline constexpr const char* kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "limbs of %1"),
     QT_TRANSLATE_NOOP("Core", "is not in the calibration library"),
     QT_TRANSLATE_NOOP("Core", "name a file that the library lists"),
-    QT_TRANSLATE_NOOP("Core", "cannot be deleted (%1)"),
+    QT_TRANSLATE_NOOP("Core", "cannot be taken out (%1)"),
     QT_TRANSLATE_NOOP("Core", "cannot be read"),
     QT_TRANSLATE_NOOP("Core", "check that it exists and that you may read it"),
     QT_TRANSLATE_NOOP("Core", "is larger than 2 GB"),
@@ -580,6 +580,8 @@ inline constexpr const char* kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "calibrate the range of the sensors and their mounting"),
     QT_TRANSLATE_NOOP("Core", "is not a source of calibrations"),
     QT_TRANSLATE_NOOP("Core", "use auto, snapshot, segments, library or nominal"),
+    QT_TRANSLATE_NOOP("Core", "is no time, name and two numbers"),
+    QT_TRANSLATE_NOOP("Core", "does not name every segment at every time"),
 };
 
 }  // namespace limbwave::ui

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -94,7 +95,11 @@ QString as_sentence(const QString& phrase) {
   if (text.isEmpty()) {
     return text;
   }
-  text.replace(0, 1, text.left(1).toUpper());
+  // The name of a file or of a take is left as it is.
+  static const QRegularExpression name(QStringLiteral("^[^\\s]*[./_\\d]"));
+  if (!name.match(text).hasMatch()) {
+    text.replace(0, 1, text.left(1).toUpper());
+  }
   if (!text.endsWith(QLatin1Char('.')) && !text.endsWith(QLatin1Char('!')) && !text.endsWith(QLatin1Char('?'))) {
     text += QLatin1Char('.');
   }

@@ -370,6 +370,7 @@ void LiveModel::set_headings(const std::vector<std::vector<solve::HeadingKey>>& 
 
 void LiveModel::note_drawn(const solve::PoseTimes& times) {
   constexpr double kSettling_s = 1.0;
+  since_drawn_.start();
   if (counted_from_s_ == 0.0) {
     counted_from_s_ = times.drawn + kSettling_s;
   }
@@ -380,7 +381,9 @@ void LiveModel::note_drawn(const solve::PoseTimes& times) {
 
 solve::LatencyReport LiveModel::latency() const {
   solve::LatencyReport report = drawn_.report();
-  if (report.poses == 0 && snapshot_) {
+  // Nothing is drawn while another page is shown: what was drawn long ago says nothing of now.
+  constexpr qint64 kStale_ms = 3000;
+  if ((report.poses == 0 || !since_drawn_.isValid() || since_drawn_.elapsed() > kStale_ms) && snapshot_) {
     report = snapshot_->latency;
   }
   return report;

@@ -2,6 +2,7 @@
 /// wait runs in jobs.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -115,6 +116,7 @@ class LiveModel : public QObject {
   class Door;
   std::shared_ptr<Door> door_;  ///< Devices are opened and closed in the order in which that was asked for.
   solve::LatencyMeter drawn_;
+  QElapsedTimer since_drawn_;
   double counted_from_s_ = 0.0;  ///< Before that a capture is still finding its feet: caches, first frames.
   struct Bell;
   std::shared_ptr<Bell> bell_;  ///< Outlives this model in the hands of a session that is being closed.

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -25,6 +26,7 @@
 #include "workspaces/shortcut_sheet.h"
 #include "workspaces/status_strip.h"
 #include "workspaces/take_actions.h"
+#include "workspaces/undo_keys.h"
 #include "workspaces/welcome_page.h"
 
 namespace limbwave::ui {
@@ -65,8 +67,9 @@ MainWindow::MainWindow(StudioContext& context, StudioParts parts, QWidget* paren
   make_docks();
   make_actions();
   follow_context();
-  resize(1440, 900);
-  setMinimumSize(960, 600);
+  qApp->installEventFilter(new UndoKeys(this));
+  resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
+  setMinimumSize(QSize(960, 600).boundedTo(screen()->availableSize()));
   restore_layout(*this, context_.settings());
   update_title();
   show_index(-1);

@@ -70,6 +70,37 @@ class SolveEditsTest : public SolveWindowTest {
     QVERIFY(pose[2].R_WL.angularDistance(workspace().viewer().pose()[2].R_WL) < 1e-6);
   }
 
+  void a_number_that_was_typed_is_undone_by_key_where_it_was_typed() {
+    open_solved();
+    studio_->window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(studio_->window.get()));
+    studio_->context->time().set_playhead(2.0);
+    studio_->context->selection().select(SelectionKind::kSegment, 2);
+    auto* box = find<QDoubleSpinBox>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
+    QVERIFY(box != nullptr);
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("60"));
+    QTest::keyClick(box, Qt::Key_Return);
+    QVERIFY(std::abs(box->value() - 60.0) < 1e-6);
+    QUndoStack& undo = studio_->context->undo_stack();
+    QCOMPARE(undo.index(), 1);
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(undo.index(), 0);
+    QVERIFY(std::abs(box->value()) < 1e-6);
+    // What is only being typed is left alone by a figure that moves, and by the program's undo.
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(undo.index(), 1);
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("4"));
+    QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(undo.index(), 1);
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("45"));
+    studio_->context->time().set_playhead(3.0);
+    QVERIFY(box->text().startsWith(QStringLiteral("45")));
+  }
+
   void a_slider_held_is_one_step_of_undo() {
     open_solved();
     studio_->context->selection().select(SelectionKind::kSegment, 1);

@@ -257,6 +257,19 @@ class CaptureTest : public QObject {
     QVERIFY(capture.line->events.empty());
   }
 
+  void done_with_a_name_keys_are_commands_again() {
+    Capture capture(std::make_shared<FakeLine>());
+    QVERIFY(QTest::qWaitForWindowActive(capture.studio.window.get()));
+    QVERIFY(choose(capture, "simulator:wave"));
+    auto* name = capture.find<QLineEdit>("take_name_edit");
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
+      name->setFocus();
+      QTRY_VERIFY(name->hasFocus());
+      QTest::keyClick(name, key);
+      QVERIFY(!name->hasFocus());
+    }
+  }
+
   void a_name_that_is_taken_is_refused_where_it_is_typed() {
     Capture capture(std::make_shared<FakeLine>());
     QVERIFY(choose(capture, "simulator:wave"));

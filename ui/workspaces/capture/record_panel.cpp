@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QShortcut>
 
 #include "calibration/calibration_words.h"
 #include "common/format.h"
@@ -85,6 +86,15 @@ RecordPanel::RecordPanel(StudioContext& context, CaptureModel& model, QWidget* p
   connect(record_, &QPushButton::clicked, &model_, &CaptureModel::toggle_recording);
   connect(later_, &QPushButton::clicked, &model_, &CaptureModel::toggle_countdown);
   connect(&model_, &CaptureModel::countdown_changed, this, &RecordPanel::refresh);
+  // Done with a name, the keys are commands again: R records.
+  setFocusPolicy(Qt::ClickFocus);
+  setAccessibleName(tr("Recording"));
+  for (QLineEdit* edit : {subject_, name_}) {
+    connect(edit, &QLineEdit::returnPressed, this, [this] { setFocus(); });
+    auto* escape = new QShortcut(Qt::Key_Escape, edit);
+    escape->setContext(Qt::WidgetShortcut);
+    connect(escape, &QShortcut::activated, this, [this] { setFocus(); });
+  }
   connect(subject_, &QLineEdit::textEdited, &model_, &CaptureModel::set_subject);
   connect(name_, &QLineEdit::textEdited, &model_, &CaptureModel::set_take_name);
   connect(&model_, &CaptureModel::setup_changed, this, &RecordPanel::refresh);

@@ -209,7 +209,11 @@ void BoneCard::show_heading() {
   straight_->setVisible(live);
   const double value = degrees(heading());
   straight_->setEnabled(turns && value != 0.0);
-  if (!heading_->hasFocus() || std::abs(heading_->value() - value) > 0.05) {
+  // What is being typed is left alone, though the figure plays on.
+  const bool typing =
+      heading_->hasFocus() &&
+      heading_->text() != heading_->prefix() + heading_->textFromValue(heading_->value()) + heading_->suffix();
+  if (!typing && (!heading_->hasFocus() || std::abs(heading_->value() - value) > 0.05)) {
     heading_->setValue(value);
   }
   if (!slider_->isSliderDown()) {

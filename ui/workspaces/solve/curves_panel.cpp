@@ -237,7 +237,19 @@ void CurvesPanel::draw_curve(QPainter& painter, const SensorCurve& curve, const 
   for (const signal::MinMaxPoint& point : curve.elevation_extremes.query(first, last + 1, static_cast<int>(s.width))) {
     const auto i = std::clamp<std::ptrdiff_t>(point.first, 0, count - 1);
     if (std::isfinite(point.minimum)) {
-      bars.emplace_back(x(i), y(point.minimum), x(i), y(point.maximum) - 0.5);
+      // Each reaches to the one before, as a line would.
+      double low = y(point.minimum);
+      double high = y(point.maximum) - 0.5;
+      if (!bars.empty() && x(i) - bars.back().x1() < 2.0) {
+        const double last_low = bars.back().y1();
+        const double last_high = bars.back().y2();
+        if (low < last_high) {
+          low = last_high;
+        } else if (high > last_low) {
+          high = last_low;
+        }
+      }
+      bars.emplace_back(x(i), low, x(i), high);
     }
   }
   painter.drawLines(bars.data(), static_cast<int>(bars.size()));
