@@ -83,6 +83,13 @@ void evaluate_driver_box(const take::Take& take, const std::string& method, cons
       "words: {} frames, {} lost ({:.1e}), {} bits corrected, {} readings wrong, lock within {:.0f} ms", words.frames,
       words.lost, static_cast<double>(words.lost) / std::max<double>(1.0, static_cast<double>(words.frames)),
       words.bit_errors, words.wrong, 1e3 * words.latest_lock_s));
+  console.print("  board               frames   lost   bits   lock");
+  for (std::size_t b = 0; b < words.boards.size(); ++b) {
+    const decode::InertialCounters& board = words.boards[b];
+    console.print(fmt::format("  {:<18} {:>7} {:>6} {:>6} {:>6}", take.info.rig.gyroscopes[b].name, board.frames,
+                              board.lost, board.bit_errors,
+                              board.lock_s >= 0.0 ? fmt::format("{:.0f} ms", 1e3 * board.lock_s) : "never"));
+  }
   console.print(fmt::format("decoded {:.1f} s in {:.2f} s, {:.1f} times real time", seconds, report.seconds,
                             seconds / report.seconds));
 }
