@@ -113,7 +113,7 @@ void evaluate_radio_ranges(const std::string& folder, const std::string* json_fi
     console.print(fmt::format("  accepted     error median {:.0f} mm, sd {:.0f} mm, 95 % {:.0f} mm, largest {:.0f} mm",
                               s.median_mm, s.sd_mm, s.p95_mm, s.max_mm));
     console.print(
-        fmt::format("  error over its standard deviation {:.2f} RMS; of {} ranges off by more than 0.5 m {} accepted",
+        fmt::format("  error over its standard deviation {:.2f} RMS; of {} outliers of more than 0.5 m {} accepted",
                     s.normalised_rms, s.outliers, s.outliers_accepted));
     console.print(fmt::format("  tags placed within {:.0f} mm (median, horizontally)", s.place_median_mm));
   }
