@@ -6,6 +6,7 @@
 #include "calibrate/sound_speed.h"
 #include "commands.h"
 #include "solve/driver_box.h"
+#include "solve/take_sound_speed.h"
 #include "take/take.h"
 
 namespace limbwave::cli {
@@ -31,20 +32,8 @@ void calibrate_sound(const Options& options, bool entered, const std::string* js
     text = fmt::format("{:.2f} m/s at {:g} °C and {:g} % humidity", ranging.speed_of_sound, options.temperature,
                        options.humidity);
   } else {
-    calibrate::SoundSpeedEstimator estimator(calibrate::rigid_pairs(take.info.rig, take.info.skeleton));
-    decode::DriverBoxParameters parameters;
-    parameters.inertial = false;
-    (void)console.check(solve::decode_driver_box(
-        take, parameters,
-        [&](std::span<const decode::RangeReading> ranges, std::span<const decode::InertialReading>) -> Status {
-          for (const decode::RangeReading& reading : ranges) {
-            estimator.add(reading, before);
-          }
-          return {};
-        },
-        console.progress()));
+    const calibrate::SoundSpeed found = console.check(solve::speed_of_sound_from(take, console.progress()));
     console.end_progress();
-    const calibrate::SoundSpeed found = console.check(estimator.estimate());
     ranging.speed_of_sound = found.speed;
     text = found.text();
     json["sd_m_s"] = found.sd;

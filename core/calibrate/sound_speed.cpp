@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace limbwave::calibrate {
@@ -13,19 +14,28 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMost = 4096;     // times of a pair that are kept
 constexpr double kShortest = 0.03;      // metres; shorter pairs say nothing
+constexpr double kFar = 5e-3;           // metres, of an envelope from where the pair is
 constexpr double kContradiction = 4.0;  // standard deviations
 
-// The segment that carries it, and its place there, through fixed joints upwards.
-std::pair<int, Vector3d> carried(const body::Skeleton& skeleton, int segment, Vector3d p_L) {
+struct Carried {
+  int segment = -1;
+  Vector3d p = Vector3d::Zero();
+  Vector3d direction = Vector3d::Zero();
+};
+
+// The segment that carries it, its place there and a direction, through fixed joints upwards.
+Carried carried(const body::Skeleton& skeleton, const std::string& name, Vector3d p, Vector3d direction) {
+  int segment = skeleton.find(name);
   while (segment >= 0) {
     const body::Segment& own = skeleton.segments[static_cast<std::size_t>(segment)];
     if (own.parent < 0 || own.joint.kind != body::JointKind::kFixed) {
       break;
     }
-    p_L = own.p_PL + own.R_PL_rest * p_L;
+    p = own.p_PL + own.R_PL_rest * p;
+    direction = own.R_PL_rest * direction;
     segment = own.parent;
   }
-  return {segment, p_L};
+  return {segment, p, direction};
 }
 
 struct Middle {
@@ -48,16 +58,33 @@ Middle middle_of(std::vector<float> values) {
 std::vector<RigidPair> rigid_pairs(const body::Rig& rig, const body::Skeleton& skeleton) {
   std::vector<RigidPair> pairs;
   for (std::size_t s = 0; s < rig.sources.size(); ++s) {
-    const auto [from, p_from] = carried(skeleton, skeleton.find(rig.sources[s].segment), rig.sources[s].p_LS);
+    const body::Source& source = rig.sources[s];
+    const Carried from = carried(skeleton, source.segment, source.p_LS, source.normal_L);
     for (std::size_t m = 0; m < rig.microphones.size(); ++m) {
-      const auto [to, p_to] = carried(skeleton, skeleton.find(rig.microphones[m].segment), rig.microphones[m].p_LS);
-      const double length = (p_to - p_from).norm();
-      if (from >= 0 && from == to && length >= kShortest) {
-        pairs.push_back({static_cast<int>(s), static_cast<int>(m), length});
+      const body::Microphone& microphone = rig.microphones[m];
+      const Carried to = carried(skeleton, microphone.segment, microphone.p_LS, Vector3d::Zero());
+      const Vector3d way = to.p - from.p;
+      if (from.segment >= 0 && from.segment == to.segment && way.norm() >= kShortest) {
+        const double cosine = way.normalized().dot(from.direction.normalized());
+        pairs.push_back(
+            {static_cast<int>(s), static_cast<int>(m), way.norm(), std::acos(std::clamp(cosine, -1.0, 1.0))});
       }
     }
   }
   return pairs;
+}
+
+decode::RangingDecoder::Predict rigid_prediction(const std::vector<RigidPair>& pairs, int receiver) {
+  return [pairs, receiver](int source, Seconds) -> std::optional<decode::RangePrediction> {
+    const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const RigidPair& pair) {
+      return pair.source == source && pair.receiver == receiver;
+    });
+    if (found == pairs.end()) {
+      return std::nullopt;
+    }
+    const double sd = 0.01 * found->length + 1e-3;
+    return decode::RangePrediction{found->length, sd * sd, found->angle};
+  };
 }
 
 std::string SoundSpeed::text() const {
@@ -66,8 +93,9 @@ std::string SoundSpeed::text() const {
       left_out.empty() ? "" : fmt::format("; {} pairs that contradict them are left out", left_out.size()));
 }
 
-SoundSpeedEstimator::SoundSpeedEstimator(std::vector<RigidPair> pairs, const SoundSpeedSettings& settings)
-    : pairs_(std::move(pairs)), settings_(settings), times_(pairs_.size()) {
+SoundSpeedEstimator::SoundSpeedEstimator(std::vector<RigidPair> pairs, double pulse_hz,
+                                         const SoundSpeedSettings& settings)
+    : pairs_(std::move(pairs)), pulse_hz_(pulse_hz), settings_(settings), times_(pairs_.size()) {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     index_[{pairs_[i].source, pairs_[i].receiver}] = i;
   }
@@ -75,14 +103,23 @@ SoundSpeedEstimator::SoundSpeedEstimator(std::vector<RigidPair> pairs, const Sou
 
 void SoundSpeedEstimator::add(const decode::RangeReading& reading, double assumed) {
   const auto found = index_.find({reading.source, reading.receiver});
-  if (found == index_.end() || reading.verdict != decode::RangeVerdict::kAccepted || !std::isfinite(reading.range)) {
+  if (found == index_.end() || reading.verdict == decode::RangeVerdict::kInterrupted ||
+      reading.verdict == decode::RangeVerdict::kDisturbed || !std::isfinite(reading.phase_range) ||
+      reading.snr_db < settings_.least_snr_db) {
     return;
   }
+  const double length = pairs_[found->second].length;
+  // An echo, or another pulse's end.
+  if (std::abs(reading.envelope_range - length) > kFar + 3.0 * std::sqrt(reading.envelope_variance)) {
+    return;
+  }
+  const double wavelength = assumed / pulse_hz_;
+  const double range = reading.phase_range + std::round((length - reading.phase_range) / wavelength) * wavelength;
   Times& times = times_[found->second];
   if (times.seen++ % times.stride != 0) {
     return;
   }
-  times.seconds.push_back(static_cast<float>(reading.range / assumed));
+  times.seconds.push_back(static_cast<float>(range / assumed));
   if (times.seconds.size() >= kMost) {
     for (std::size_t i = 0; 2 * i < times.seconds.size(); ++i) {
       times.seconds[i] = times.seconds[2 * i];

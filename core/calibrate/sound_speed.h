@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "body/rig.h"
 #include "decode/range_reading.h"
+#include "decode/ranging.h"
 
 namespace limbwave::calibrate {
 
@@ -15,10 +16,14 @@ namespace limbwave::calibrate {
 struct RigidPair {
   int source = 0, receiver = 0;
   double length = 0.0;  ///< Metres, by the rig.
+  double angle = 0.0;   ///< Of the microphone off the source's normal, radians.
 };
 
 /// Pairs on one segment, or on segments with nothing but fixed joints between them.
 std::vector<RigidPair> rigid_pairs(const body::Rig& rig, const body::Skeleton& skeleton);
+
+/// What a decoder may be told about one microphone's pairs: length and direction (decode::RangingDecoder).
+decode::RangingDecoder::Predict rigid_prediction(const std::vector<RigidPair>& pairs, int receiver);
 
 struct SoundSpeedSettings {
   double length_sd = 1e-3;    ///< How well the rig knows a pair's length, metres.
@@ -35,13 +40,16 @@ struct SoundSpeed {
   [[nodiscard]] std::string text() const;
 };
 
-/// Takes accepted readings as they come. c = Σ w L t / Σ w t² over the pairs' median times of flight t and lengths L;
-/// pairs that contradict the others (a cover over a source, a rig that says it wrong) are left out one at a time.
+/// Takes readings as they come: their carrier's phase, whose whole cycles the pair's length tells, so that readings
+/// count that are too weak for anything else. c = Σ w L t / Σ w t² over the pairs' median times of flight t and lengths
+/// L; pairs that contradict the others (a cover over a source, a rig that says it wrong) are left out one at a time.
 class SoundSpeedEstimator {
  public:
-  explicit SoundSpeedEstimator(std::vector<RigidPair> pairs, const SoundSpeedSettings& settings = {});
+  /// `pulse_hz` is the carrier.
+  SoundSpeedEstimator(std::vector<RigidPair> pairs, double pulse_hz, const SoundSpeedSettings& settings = {});
 
-  /// `assumed` is the speed of sound with which the reading's range was computed.
+  /// `assumed` is the speed of sound with which the reading's range was computed. The decoder knew the pair's direction
+  /// (`rigid_prediction`).
   void add(const decode::RangeReading& reading, double assumed);
   /// Fails with fewer than two pairs that have been heard often enough.
   [[nodiscard]] Result<SoundSpeed> estimate() const;
@@ -52,6 +60,7 @@ class SoundSpeedEstimator {
     std::size_t stride = 1, seen = 0;
   };
   std::vector<RigidPair> pairs_;
+  double pulse_hz_;
   SoundSpeedSettings settings_;
   std::map<std::pair<int, int>, std::size_t> index_;
   std::vector<Times> times_;

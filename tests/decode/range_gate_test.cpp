@@ -17,14 +17,14 @@ Vector3d walk(double t) {
   return {1.5 * std::cos(0.5 * t), 1.2 * std::sin(0.7 * t), 1.0 + 0.1 * std::sin(t)};
 }
 
-struct Run {
+struct Trial {
   int count = 0, accepted = 0, outliers = 0, outliers_accepted = 0, clean_refused = 0;
   double squares = 0.0, normalised = 0.0;
   std::vector<RangeReading> readings;
 };
 
 // Every pair with an offset and a noise of its own, one range in thirty far off.
-Run run(unsigned seed, double seconds, bool jump = false) {
+Trial run(unsigned seed, double seconds, bool jump = false) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;
@@ -38,7 +38,7 @@ Run run(unsigned seed, double seconds, bool jump = false) {
     offsets.push_back(0.15 + 0.05 * normal(random));
     noises.push_back(0.01 * std::pow(1.3, static_cast<double>(a)));
   }
-  Run result;
+  Trial result;
   for (int n = 0; n < static_cast<int>(seconds * 100.0); ++n) {
     const double t = 0.01 * n;
     const double shifted = jump && t > 0.5 * seconds ? t + 3.0 : t;
@@ -77,7 +77,7 @@ Run run(unsigned seed, double seconds, bool jump = false) {
 
 TEST(RangeGate, RefusesWhatIsFarOffAndNothingElse) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    const Run result = run(seed, 60.0);
+    const Trial result = run(seed, 60.0);
     EXPECT_GT(result.outliers, 1000);
     EXPECT_LE(result.outliers_accepted, result.outliers / 100);
     EXPECT_LE(result.clean_refused, result.count / 200);
@@ -90,7 +90,7 @@ TEST(RangeGate, RefusesWhatIsFarOffAndNothingElse) {
 }
 
 TEST(RangeGate, FindsAReceiverThatWasCarriedElsewhere) {
-  const Run result = run(7, 40.0, true);
+  const Trial result = run(7, 40.0, true);
   int late = 0;
   for (std::size_t i = result.readings.size() - 800; i < result.readings.size(); ++i) {
     late += result.readings[i].verdict == RangeVerdict::kAccepted ? 1 : 0;
