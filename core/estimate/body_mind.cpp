@@ -72,6 +72,8 @@ std::string mind_to_text(const BodyMind& mind) {
                    {"mount_place", list(s.mount_place)},
                    {"source_place", list(s.source_place)},
                    {"mount_rotation", list(s.mount_rotation)},
+                   {"tissue_angle", list(s.tissue_angle)},
+                   {"tissue_gain", list(s.tissue_gain)},
                    {"range_offset", s.range_offset},
                    {"bone_scale", s.bone_scale},
                    {"sound_scale", s.sound_scale}};
@@ -116,6 +118,8 @@ Result<BodyMind> mind_from_text(const std::string& text, const std::string& plac
   s.mount_place = vectors(state.at("mount_place"));
   s.source_place = vectors(state.at("source_place"));
   s.mount_rotation = rotations(state.at("mount_rotation"));
+  s.tissue_angle = vectors(state.at("tissue_angle"));
+  s.tissue_gain = vectors(state.at("tissue_gain"));
   s.range_offset = numbers(state.at("range_offset"));
   s.bone_scale = numbers(state.at("bone_scale"));
   s.sound_scale = state.at("sound_scale").number();

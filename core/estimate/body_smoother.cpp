@@ -156,6 +156,10 @@ void back_over_predict(const PredictRecord& predict, const body::Tree& tree, Vec
   if (predict.dt <= 0.0) {
     return;
   }
+  for (const PredictRecord::Tissue& t : predict.tissues) {
+    lambda.segment<3>(t.gain) = t.a * lambda.segment<3>(t.gain) + t.b * lambda.segment<3>(t.angle);
+    lambda.segment<3>(t.angle) *= t.a;
+  }
   const int n = tree.dofs();
   lambda.segment(2 * n, n) = predict.aa * lambda.segment(2 * n, n) + predict.va * lambda.segment(n, n);
   auto ball = predict.balls.begin();

@@ -26,8 +26,15 @@ BodyWatch::BodyWatch(const BodyModel& model, const BodyWatchParameters& paramete
     : parameters_(parameters),
       model_(model),
       sensors_(model_, parameters.sensors),
-      contacts_(model_, parameters.contacts) {
+      contacts_(model_, parameters.contacts),
+      turned_(model_.boards.size(), 0) {
   usable_.push_back({0, std::vector<char>(model_.boards.size(), 1)});
+  idles_ = any_idle(usable_.back().boards);
+}
+
+bool BodyWatch::any_idle(const std::vector<char>& usable) const {
+  const std::vector<char> idle = idle_segments(usable);
+  return std::find(idle.begin(), idle.end(), 1) != idle.end();
 }
 
 Result<Diagnostics> BodyWatch::start(BodyFilter& filter, const BodyReadings& readings) {
@@ -47,7 +54,24 @@ Result<Diagnostics> BodyWatch::start(BodyFilter& filter, const BodyReadings& rea
     root = root_at(readings.root, std::min(readings.inertial.empty() ? INFINITY : readings.inertial.front().time_s,
                                            readings.ranges.empty() ? INFINITY : readings.ranges.front().time_s));
   }
-  return start_at_rest(filter, readings, parameters_.rest, given ? &root : nullptr);
+  Result<RestStart> started = start_at_rest(filter, readings, parameters_.rest, given ? &root : nullptr);
+  if (!started) {
+    return started.error();
+  }
+  for (std::size_t b = 0; b < turned_.size(); ++b) {
+    turned_[b] = started->boards[b].turned ? 1 : 0;
+  }
+  usable_ = {{0, usable_boards()}};
+  idles_ = any_idle(usable_.back().boards);
+  return std::move(started->diagnostics);
+}
+
+std::vector<char> BodyWatch::usable_boards() const {
+  std::vector<char> boards(model_.boards.size());
+  for (std::size_t b = 0; b < boards.size(); ++b) {
+    boards[b] = sensors_.board(b) == BoardState::kWell && turned_[b] == 0 ? 1 : 0;
+  }
+  return boards;
 }
 
 const std::vector<char>& BodyWatch::usable_at(std::size_t number) const {
@@ -63,17 +87,13 @@ void BodyWatch::look(const BodyInstant& instant, std::size_t number) {
   if (sensors_.blackout() > 0.0) {
     gaps_.push_back({number, sensors_.blackout()});
   }
-  std::vector<char> boards(model_.boards.size());
-  bool idle = false;
-  for (std::size_t b = 0; b < boards.size(); ++b) {
-    boards[b] = sensors_.board(b) == BoardState::kWell ? 1 : 0;
-    idle = idle || (boards[b] == 0 && (model_.boards[b].gyroscope || model_.boards[b].accelerometer));
-  }
+  const std::vector<char> boards = usable_boards();
   if (boards != usable_.back().boards) {
     usable_.push_back({number, boards});
+    idles_ = any_idle(boards);
     next_idle_look_ = now_;  // at once: what has just fallen silent flies on
   }
-  if (idle && now_ >= next_idle_look_) {
+  if (idles_ && now_ >= next_idle_look_) {
     idle_looks_.push_back(number);
     next_idle_look_ = now_ + kIdleLook;
   }
@@ -128,25 +148,43 @@ void BodyWatch::bridge(BodyFilter& filter, double time_s, double seconds) const 
   }
 }
 
+// Segments whose joints no usable board tells of: those at and above a board that is not, up to the next that is; and
+// those with none at or beyond them.
+std::vector<char> BodyWatch::idle_segments(const std::vector<char>& usable) const {
+  const std::vector<body::Segment>& segments = model_.skeleton.segments;
+  std::vector<char> heard(segments.size(), 0);
+  std::vector<char> told(segments.size(), 0);
+  for (std::size_t b = 0; b < model_.boards.size(); ++b) {
+    const BodyBoard& board = model_.boards[b];
+    if (usable[b] != 0) {
+      const auto s = static_cast<std::size_t>(board.segment);
+      heard[s] = heard[s] != 0 || board.gyroscope || board.accelerometer ? 1 : 0;
+      told[s] = 1;
+    }
+  }
+  for (std::size_t s = segments.size(); s-- > 1;) {
+    const auto parent = static_cast<std::size_t>(segments[s].parent);
+    told[parent] = told[parent] != 0 || told[s] != 0 ? 1 : 0;
+  }
+  std::vector<char> idle(segments.size(), 0);
+  for (std::size_t b = 0; b < model_.boards.size(); ++b) {
+    for (int s = model_.boards[b].segment; usable[b] == 0 && s >= 0 && heard[static_cast<std::size_t>(s)] == 0;
+         s = segments[static_cast<std::size_t>(s)].parent) {
+      idle[static_cast<std::size_t>(s)] = 1;
+    }
+  }
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    idle[s] = idle[s] != 0 || told[s] == 0 ? 1 : 0;
+  }
+  return idle;
+}
+
 // Without its board a joint is known by its neighbours only, and mostly not at all. White jerk alone would let it fly
 // off; people do not.
 void BodyWatch::rest_idle_joints(BodyFilter& filter, const std::vector<char>& usable, StepRecord* record) const {
   const body::Tree& tree = filter.tree();
   const int n = tree.dofs();
-  std::vector<char> heard(model_.skeleton.segments.size(), 0);
-  for (std::size_t b = 0; b < model_.boards.size(); ++b) {
-    const BodyBoard& board = model_.boards[b];
-    if (usable[b] != 0 && (board.gyroscope || board.accelerometer)) {
-      heard[static_cast<std::size_t>(board.segment)] = 1;
-    }
-  }
-  std::vector<char> idle(heard.size(), 0);
-  for (std::size_t b = 0; b < model_.boards.size(); ++b) {
-    for (int s = model_.boards[b].segment; usable[b] == 0 && s >= 0 && heard[static_cast<std::size_t>(s)] == 0;
-         s = model_.skeleton.segments[static_cast<std::size_t>(s)].parent) {
-      idle[static_cast<std::size_t>(s)] = 1;
-    }
-  }
+  const std::vector<char> idle = idle_segments(usable);
   std::vector<MeasurementGroup> groups;
   const auto hold = [&](int index, double value, double sigma) {
     MeasurementGroup& g = groups.emplace_back();
@@ -200,6 +238,7 @@ BodyMind BodyWatch::mind(const BodyFilter& filter) const {
   const nlohmann::json watch{{"sensors", sensors_.save()},
                              {"contacts", contacts_.save()},
                              {"next_idle_look_s", next_idle_look_},
+                             {"turned", std::vector<int>(turned_.begin(), turned_.end())},
                              {"now_s", now_}};
   return {filter.snapshot(), watch.dump(), filter.layout().size, static_cast<int>(model_.boards.size())};
 }
@@ -224,14 +263,15 @@ Status BodyWatch::resume_from(const BodyMind& mind, const BodyFilter& filter) {
   contacts_.load(reader.at("contacts"));
   next_idle_look_ = reader.at("next_idle_look_s").number();
   now_ = reader.at("now_s").number();
+  const std::vector<double> turned = reader.at("turned").numbers(turned_.size());
+  for (std::size_t b = 0; b < turned.size(); ++b) {
+    turned_[b] = turned[b] != 0.0 ? 1 : 0;
+  }
   if (problems.error) {
     return *problems.error;
   }
-  std::vector<char> boards(model_.boards.size());
-  for (std::size_t b = 0; b < boards.size(); ++b) {
-    boards[b] = sensors_.board(b) == BoardState::kWell ? 1 : 0;
-  }
-  usable_ = {{0, boards}};
+  usable_ = {{0, usable_boards()}};
+  idles_ = any_idle(usable_.back().boards);
   return {};
 }
 

@@ -18,7 +18,8 @@ struct BodyWatchParameters {
   SensorWatchParameters sensors;
   ContactParameters contacts;
   bool stillness = true;  ///< A free root stands while all boards are still: gravity and no velocity.
-  // A joint whose own board is not heard: what is known of how people move, ten times a second.
+  // A joint whose own board is not heard, or that no board tells of: what is known of how people move, ten times a
+  // second.
   double idle_rate = 1.5, idle_acceleration = 15.0;  ///< rad/s, rad/s².
   double idle_pose = 6.0;                            ///< rad at every look: 1 rad about the rest pose in the long run.
 };
@@ -41,6 +42,8 @@ class BodyWatch : public BodyStepHook {
 
   [[nodiscard]] const SensorWatch& sensors() const { return sensors_; }
   [[nodiscard]] const FootContacts& contacts() const { return contacts_; }
+  /// Per board: what it felt at rest showed that it is mounted another way; it is left out.
+  [[nodiscard]] const std::vector<char>& turned() const { return turned_; }
   /// What happened since the start, in the user's words.
   [[nodiscard]] Diagnostics findings() const;
 
@@ -60,6 +63,9 @@ class BodyWatch : public BodyStepHook {
     std::size_t from;  // number of the first instant
     std::vector<char> boards;
   };
+  [[nodiscard]] std::vector<char> usable_boards() const;
+  [[nodiscard]] bool any_idle(const std::vector<char>& usable) const;
+  [[nodiscard]] std::vector<char> idle_segments(const std::vector<char>& usable) const;
   [[nodiscard]] const std::vector<char>& usable_at(std::size_t number) const;
   void bridge(BodyFilter& filter, double time_s, double seconds) const;
   void rest_idle_joints(BodyFilter& filter, const std::vector<char>& usable, StepRecord* record) const;
@@ -74,6 +80,8 @@ class BodyWatch : public BodyStepHook {
   std::vector<Usable> usable_;
   std::vector<std::size_t> idle_looks_;
   double next_idle_look_ = -1e300, now_ = 0.0;
+  bool idles_ = false;        // some joints are told of by no board
+  std::vector<char> turned_;  // boards that are mounted another way than the rig says
   std::vector<InertialReading> kept_;
   std::optional<BodyMind> mind_, last_mind_;
 };

@@ -16,6 +16,8 @@ using Eigen::VectorXd;
 
 constexpr double kBiasLeft = 0.0007;  // rad/s: nobody stands more still
 constexpr double kHeading = 0.002;    // rad: of the start, by definition
+constexpr double kUpsideDown = 2.4;   // rad
+constexpr double kStrangePose = 0.8;  // rad: of joints when the pose is another
 constexpr int kLeast = 10;            // readings that make a mean
 
 double first_time(const BodyReadings& readings) {
@@ -204,8 +206,8 @@ double refine_at_rest(const BodyFilter& filter, const std::vector<BoardAtRest>& 
   return size > 0 ? x.cwiseAbs().maxCoeff() : 0.0;
 }
 
-Result<Diagnostics> start_at_rest(BodyFilter& filter, const BodyReadings& readings, const RestParameters& rest,
-                                  const RootReading* root) {
+Result<RestStart> start_at_rest(BodyFilter& filter, const BodyReadings& readings, const RestParameters& rest,
+                                const RootReading* root) {
   const BodyModel& model = filter.model();
   const BodyFilterParameters& p = filter.parameters();
   const BodyLayout& layout = filter.layout();
@@ -271,6 +273,7 @@ Result<Diagnostics> start_at_rest(BodyFilter& filter, const BodyReadings& readin
   BodyState state = filter.state();
   body::TreeKinematics kinematics(filter.tree());
   kinematics.update(state.joints, bone_scales(filter.tree(), state));
+  std::size_t turned = 0;
   for (std::size_t b = 0; b < boards.size() && !moving; ++b) {
     BoardAtRest& board = boards[b];
     if (board.forces < kLeast || board.moved || board.silent) {
@@ -279,14 +282,30 @@ Result<Diagnostics> start_at_rest(BodyFilter& filter, const BodyReadings& readin
     const Vector3d expected = expected_force(filter, kinematics, state, b);
     board.off = std::atan2(expected.cross(board.force).norm(), expected.dot(board.force));
     board.turned = model.boards.size() > 1 && board.off > rest.turned;
-    if (board.turned) {
+    turned += board.turned ? 1 : 0;
+  }
+  const bool strange = turned > std::max<std::size_t>(1, boards.size() / 6);
+  for (std::size_t b = 0; b < boards.size(); ++b) {
+    if (!boards[b].turned) {
+      continue;
+    }
+    boards[b].turned = !strange;
+    if (!strange) {
       found.push_back({Severity::kWarning, "body.board-turned",
                        "\"" + model.boards[b].name + "\" feels gravity " +
-                           std::to_string(static_cast<int>(std::lround(degrees(board.off)))) +
+                           std::to_string(static_cast<int>(std::lround(degrees(boards[b].off)))) +
                            "° away from where it should be in the rest pose",
-                       board.off > 2.4 ? "it is mounted upside down: turn it round, or say so in the rig"
-                                       : "mount it as the rig says, and hold the rest pose",
+                       boards[b].off > kUpsideDown ? "it is mounted upside down: turn it round, or say so in the rig"
+                                                   : "mount it as the rig says, and hold the rest pose",
                        model.boards[b].name, begin});
+    }
+  }
+  if (strange) {
+    found.push_back({Severity::kWarning, "body.not-rest-pose",
+                     std::to_string(turned) + " sensors feel gravity far from where it is in the rest pose",
+                     "begin in the rest pose", "", begin});
+    for (int i = free ? 6 : 0; i < n; ++i) {
+      deviation(i, kStrangePose);
     }
   }
   if (!moving && p.use_accelerometers) {
@@ -307,7 +326,7 @@ Result<Diagnostics> start_at_rest(BodyFilter& filter, const BodyReadings& readin
     }
   }
   filter.set_state(state);
-  return found;
+  return RestStart{std::move(found), std::move(boards), moving, strange};
 }
 
 }  // namespace limbwave::estimate

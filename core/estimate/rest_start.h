@@ -43,14 +43,22 @@ struct BoardAtRest {
   bool turned = false;  ///< `off` is more than placement can be.
 };
 
+/// What a start found.
+struct RestStart {
+  Diagnostics diagnostics;
+  std::vector<BoardAtRest> boards;
+  bool moving = false;   ///< The wearer was not still.
+  bool strange = false;  ///< Nor did he hold the rest pose: many boards feel gravity elsewhere.
+};
+
 std::vector<BoardAtRest> look_at_rest(const BodyModel& model, const BodyReadings& readings, const RestParameters& rest);
 
 /// Starts the filter. `root`: where it is given. Fails in mode kRest when a board moved; the error names it. The
 /// filter's parameters are the priors; the state starts where prior and gravity agree best, with the prior's
 /// covariance, so that the filter may take the same readings in without counting them twice where it matters: they
 /// change nothing there. Boards that are turned do not take part.
-Result<Diagnostics> start_at_rest(BodyFilter& filter, const BodyReadings& readings, const RestParameters& rest,
-                                  const RootReading* root);
+Result<RestStart> start_at_rest(BodyFilter& filter, const BodyReadings& readings, const RestParameters& rest,
+                                const RootReading* root);
 
 /// Refines joint angles, mountings and accelerometer offsets of a state at rest until `boards` agree with gravity:
 /// Gauss-Newton on the posterior. `prior` are standard deviations by error state. Returns the largest change, rad.
