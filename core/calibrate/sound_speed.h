@@ -29,6 +29,7 @@ struct SoundSpeedSettings {
   double length_sd = 1e-3;    ///< How well the rig knows a pair's length, metres.
   double system_sd = 0.3e-3;  ///< What every range of a pair may be off by, metres: phase of a source off its axis.
   int least_readings = 20;    ///< Of a pair that counts.
+  double least_snr_db = 6.0;  ///< Of a reading. Sources radiate little to the side, where such pairs are.
 };
 
 struct SoundSpeed {
