@@ -60,7 +60,9 @@ TEST(SoundSpeed, OnePairThatIsWrongIsLeftOut) {
   for (int s = 0; s < 6; ++s) {
     pairs.push_back({s, 0, 0.1 + 0.03 * s, 0.5});
   }
-  SoundSpeedEstimator estimator(pairs, 40000.0);
+  SoundSpeedSettings settings;
+  settings.length_sd = 0.3e-3;  // measured with a calliper
+  SoundSpeedEstimator estimator(pairs, 40000.0, settings);
   std::mt19937 random(4);
   std::normal_distribution<double> noise(0.0, 0.3e-3);
   for (int n = 0; n < 20000; ++n) {
@@ -68,12 +70,12 @@ TEST(SoundSpeed, OnePairThatIsWrongIsLeftOut) {
     reading.source = n % 6;
     reading.verdict = decode::RangeVerdict::kAccepted;
     const double length = pairs[static_cast<std::size_t>(reading.source)].length + (reading.source == 2 ? 0.003 : 0.0);
-    // Decoded with 340 m/s.
-    reading.envelope_range = (length + 3.0 * noise(random)) / kSpeed * 340.0;
+    // Decoded with 345 m/s.
+    reading.envelope_range = (length + 3.0 * noise(random)) / kSpeed * 345.0;
     reading.envelope_variance = 1e-6;
-    reading.phase_range = std::fmod((length + noise(random)) / kSpeed * 340.0, 340.0 / 40000.0);
+    reading.phase_range = std::fmod((length + noise(random)) / kSpeed * 345.0, 345.0 / 40000.0);
     reading.snr_db = 20.0;
-    estimator.add(reading, 340.0);
+    estimator.add(reading, 345.0);
   }
   const auto found = estimator.estimate();
   ASSERT_TRUE(found.ok()) << found.error().text();

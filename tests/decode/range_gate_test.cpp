@@ -100,7 +100,7 @@ TEST(RangeGate, FindsAReceiverThatWasCarriedElsewhere) {
 
 TEST(RangeGate, WhatIsNoRangeIsNothingHeard) {
   RangeGate gate(kAnchors, 0);
-  for (const double range : {std::nan(""), 0.0, -1.0, INFINITY}) {
+  for (const double range : {std::nan(""), 0.0, -1.0, HUGE_VAL}) {
     const RangeReading reading = gate.push(2, Seconds{0.0}, range);
     EXPECT_EQ(reading.verdict, RangeVerdict::kNothingHeard);
     EXPECT_TRUE(std::isinf(reading.variance));

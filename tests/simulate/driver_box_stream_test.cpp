@@ -85,7 +85,7 @@ TEST(DriverBoxStream, AmplitudeFallsAsTheRigSays) {
   World world({});
   const body::DriverBoxSignal& box = *world.rig.driver_box;
   int compared = 0;
-  for (int s = 0; s < 64; ++s) {
+  for (int s = 0; s < 400; ++s) {
     const PulseTruth truth = world.next();
     for (int w = 0; w < world.stream->wires(); ++w) {
       const PairTruth& pair = truth.pairs[static_cast<std::size_t>(w)];
@@ -108,7 +108,7 @@ TEST(DriverBoxStream, AmplitudeFallsAsTheRigSays) {
       ++compared;
     }
   }
-  EXPECT_GT(compared, 20);
+  EXPECT_GT(compared, 40);
 }
 
 TEST(DriverBoxStream, NoiseIsThatOfTheProfilesSnr) {
