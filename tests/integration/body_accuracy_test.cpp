@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using testing_support::JointErrors;
 
 std::vector<std::string> motions() {
-  std::vector<std::string> names{"walk", "box", "squat"};
+  std::vector<std::string> names{"box", "squat"};
   const char* data = std::getenv("LIMBWAVE_DATA");
   for (const char* file : {"02_05.bvh", "03_01.bvh"}) {
     const fs::path path = fs::path(data != nullptr ? data : "") / "motions" / file;
@@ -34,7 +34,7 @@ struct Solved {
 Solved solved(const std::string& motion, const std::string& profile, std::uint64_t seed, bool smooth) {
   const auto errors = simulate::load_driver_box_errors(profile);
   EXPECT_TRUE(errors.ok());
-  const auto wearer = testing_support::make_wearer(motion, *errors, seed, 2.0, 9.0);
+  const auto wearer = testing_support::make_wearer(motion, *errors, seed, 2.0, 7.0);
   EXPECT_TRUE(wearer.ok());
   const auto model = estimate::body_model(wearer->rig, wearer->skeleton);
   estimate::BodyFilterParameters p;
