@@ -260,6 +260,9 @@ void BodyFilter::flush(StepRecord* record) {
       }
     }
   }
+  if (record != nullptr && record->linearised != nullptr) {
+    record->linearised->emplace_back(first, last);
+  }
   UpdateRecord* update = nullptr;
   if (record != nullptr) {
     update = &record->updates.emplace_back();

@@ -1,4 +1,5 @@
-/// Inner loops over covariance matrices. All matrices are row-major, 32-byte aligned, with n a multiple of 8 columns.
+/// Inner loops over covariance matrices. All matrices are row-major, 64-byte aligned, with n a multiple of 32 columns
+/// (`subtract`: of 8).
 #pragma once
 
 namespace limbwave::estimate {

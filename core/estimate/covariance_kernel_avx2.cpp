@@ -3,6 +3,7 @@
 
 namespace limbwave::estimate {
 namespace {
+#define LIMBWAVE_LANES 4
 #include "estimate/covariance_kernel.inc"
 }  // namespace
 
