@@ -71,19 +71,6 @@ void BodyFilter::predict_tissue(double dt, PredictRecord* record) {
       }
     }
   }
-  // Rows and columns were not rounded alike: what is below the diagonal counts.
-  for (const PredictRecord::Tissue& t : tissue_steps_) {
-    for (const int first : {t.angle, t.gain}) {
-      for (int r = first; r < first + 3; ++r) {
-        for (int k = 0; k < r; ++k) {
-          P_.row(k)[r] = P_.row(r)[k];
-        }
-        for (int k = r + 1; k < layout_.size; ++k) {
-          P_.row(r)[k] = P_.row(k)[r];
-        }
-      }
-    }
-  }
   for (std::size_t k = 0; k < tissue_steps_.size(); ++k) {
     const PredictRecord::Tissue& t = tissue_steps_[k];
     const TissueNoise& noise = tissue_noise_[k];

@@ -57,11 +57,18 @@ bool BodyWatch::any_idle(const std::vector<char>& usable) const {
 }
 
 Result<Diagnostics> BodyWatch::start(BodyFilter& filter, const BodyReadings& readings) {
+  looks_at_feet_ = parameters_.stillness && filter.parameters().root == RootMode::kFree;
   if (mind_) {
     if (Status status = resume_from(*mind_, filter); !status) {
       return status.error();
     }
     filter.resume(mind_->filter);
+    const double* above = mind_->above.data();
+    for (int i = 0; i < mind_->states; ++i) {
+      for (int k = i + 1; k < mind_->states; ++k) {
+        filter.mutable_covariance().row(i)[k] = *above++;
+      }
+    }
     return Diagnostics{};
   }
   const bool given = filter.parameters().root == RootMode::kGiven && !readings.root.empty();
@@ -255,7 +262,7 @@ void BodyWatch::after(BodyFilter& filter, const BodyInstant& /*instant*/, std::s
   if (std::binary_search(idle_looks_.begin(), idle_looks_.end(), number)) {
     rest_idle_joints(filter, usable_at(number), record);
   }
-  if (parameters_.stillness && filter.parameters().root == RootMode::kFree) {
+  if (looks_at_feet_) {
     contacts_.update(filter, number, record != nullptr ? &record->updates : nullptr);
   }
 }
@@ -266,6 +273,9 @@ void BodyWatch::finished(const BodyFilter& filter) {
 
 Diagnostics BodyWatch::findings() const {
   Diagnostics found = sensors_.findings(now_);
+  if (!looks_at_feet_) {
+    return found;
+  }
   const Diagnostics feet = contacts_.findings();
   found.insert(found.end(), feet.begin(), feet.end());
   return found;
@@ -277,7 +287,12 @@ BodyMind BodyWatch::mind(const BodyFilter& filter) const {
                              {"next_idle_look_s", next_idle_look_},
                              {"turned", std::vector<int>(turned_.begin(), turned_.end())},
                              {"now_s", now_}};
-  return {filter.snapshot(), watch.dump(), filter.layout().size, static_cast<int>(model_.boards.size())};
+  const int states = filter.layout().size;
+  std::vector<double> above;
+  for (int i = 0; i < states; ++i) {
+    above.insert(above.end(), filter.covariance().row(i) + i + 1, filter.covariance().row(i) + states);
+  }
+  return {filter.snapshot(), std::move(above), watch.dump(), states, static_cast<int>(model_.boards.size())};
 }
 
 Status BodyWatch::resume_from(const BodyMind& mind, const BodyFilter& filter) {
