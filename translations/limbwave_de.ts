@@ -2155,6 +2155,26 @@
         <translation>wie gelesen</translation>
     </message>
     <message>
+        <source>%1 m/s, within %2 m/s, from %3 pairs on one segment%4</source>
+        <translation>%1 m/s, auf %2 m/s genau, aus %3 Paaren auf einem Segment%4</translation>
+    </message>
+    <message>
+        <source>; %1 pairs that contradict them are left out</source>
+        <translation>; %1 Paare, die ihnen widersprechen, sind weggelassen</translation>
+    </message>
+    <message>
+        <source>has too few ranges between sources and microphones on one segment</source>
+        <translation>hat zu wenige Abstände zwischen Quellen und Mikrofonen auf einem Segment</translation>
+    </message>
+    <message>
+        <source>speed of sound</source>
+        <translation>Schallgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>take more of the recording, or enter temperature and humidity</source>
+        <translation>mehr von der Aufnahme nehmen oder Temperatur und Feuchte eingeben</translation>
+    </message>
+    <message>
         <source>%1 samples were lost because the disk was too slow</source>
         <translation>%1 Abtastwerte gingen verloren, weil die Platte zu langsam war</translation>
     </message>
@@ -2381,6 +2401,50 @@
     <message>
         <source>check its plug</source>
         <translation>prüfen Sie seinen Stecker</translation>
+    </message>
+    <message>
+        <source>%1 sensors feel gravity far from where it is in the rest pose</source>
+        <translation>%1 Sensoren spüren die Schwerkraft weit neben der Richtung in der Ruhepose</translation>
+    </message>
+    <message>
+        <source>begin in the rest pose</source>
+        <translation>beginnen Sie in der Ruhepose</translation>
+    </message>
+    <message>
+        <source>looking for mixed up sensors</source>
+        <translation>Suche nach vertauschten Sensoren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; are exchanged: solved as if each were in the other&apos;s place</source>
+        <translation>„%1“ und „%2“ sind vertauscht: berechnet, als säße jeder am Platz des anderen</translation>
+    </message>
+    <message>
+        <source>exchange them, or their wires, before the next recording</source>
+        <translation>tauschen Sie sie oder ihre Leitungen vor der nächsten Aufnahme</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is mounted the wrong way round: solved as if turned by 180° about its %2 axis</source>
+        <translation>„%1“ sitzt verkehrt: berechnet, als wäre er um 180° um seine %2-Achse gedreht</translation>
+    </message>
+    <message>
+        <source>turn it round, or say so in the rig</source>
+        <translation>drehen Sie ihn um, oder tragen Sie es im Rig ein</translation>
+    </message>
+    <message>
+        <source>the root&apos;s place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)</source>
+        <translation>der Ort der Wurzel ist am Ende um %1 m über dem Boden und %2 m in der Höhe unsicher (1 σ)</translation>
+    </message>
+    <message>
+        <source>choose --root contacts for somebody who walks, or give the root&apos;s path</source>
+        <translation>wählen Sie --root contacts für jemanden, der geht, oder geben Sie den Weg der Wurzel an</translation>
+    </message>
+    <message>
+        <source>a smoother looks to both sides and cannot resume</source>
+        <translation>ein Glätter sieht in beide Richtungen und kann nicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>choose the filter</source>
+        <translation>wählen Sie das Filter</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +3859,14 @@
     <message>
         <source>Learn how sensors are calibrated</source>
         <translation>So werden Sensoren kalibriert</translation>
+    </message>
+    <message>
+        <source>This take needs no calibration by hand</source>
+        <translation>Dieser Take braucht keine Kalibrierung von Hand</translation>
+    </message>
+    <message>
+        <source>The body filter estimates offsets, mountings and lengths while it solves. Begin takes with a second of standing still in the rest pose.</source>
+        <translation>Das Körperfilter schätzt Nullpunkte, Befestigungen und Längen bei der Berechnung. Beginnen Sie Takes mit einer Sekunde Stillstand in der Ruhepose.</translation>
     </message>
 </context>
 <context>
@@ -6189,6 +6261,10 @@
         <source>Used: %1</source>
         <translation>Benutzt: %1</translation>
     </message>
+    <message>
+        <source>By the body filter, forward and backward, from all sensors. Other choices of sensors and of the root are made by the command line: limbwave solve.</source>
+        <translation>Mit dem Körperfilter, vorwärts und rückwärts, aus allen Sensoren. Andere Sensoren und andere Wurzeln wählt man auf der Befehlszeile: limbwave solve.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ShortcutSheet</name>
@@ -6414,10 +6490,6 @@
         <translation>Live von %1: %2</translation>
     </message>
     <message>
-        <source>%1 of motion, %2 frames at %3 Hz, smoothing: %4</source>
-        <translation>%1 Bewegung, %2 Bilder mit %3 Hz, Glättung: %4</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
@@ -6440,6 +6512,14 @@
     <message>
         <source>%1   %2</source>
         <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>%1 of motion, %2 frames at %3 Hz</source>
+        <translation>%1 Bewegung, %2 Bilder mit %3 Hz</translation>
+    </message>
+    <message>
+        <source>%1, smoothing: %2</source>
+        <translation>%1, Glättung: %2</translation>
     </message>
 </context>
 <context>

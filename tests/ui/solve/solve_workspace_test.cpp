@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -21,6 +22,7 @@
 #include "timeline/timeline_canvas.h"
 #include "ui/support/solve_window.h"
 #include "workspaces/solve/bone_card.h"
+#include "workspaces/solve/curves_panel.h"
 #include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/settings_card.h"
 #include "workspaces/solve/solve_pose.h"
@@ -316,6 +318,37 @@ class SolveWorkspaceTest : public SolveWindowTest {
     save(QStringLiteral("export-light"));
     apply_theme(*qApp, ThemeKind::kDark);
     save(QStringLiteral("export-dark"));
+  }
+
+  void a_driver_boxs_take_is_solved_by_the_body_filter() {
+    solving_ = std::make_unique<FakeSolving>();
+    studio_ = std::make_unique<SolveStudio>(core_solve_services());
+    QVERIFY(QTest::qWaitForWindowExposed(studio_->window.get()));
+    simulate::SimulateSettings settings;
+    settings.rig = "driver-box-body";
+    settings.motion = "walk";
+    settings.seconds = 3.0;
+    settings.errors_name = "none";
+    settings.driver_box_errors = simulate::load_driver_box_errors("none").value();
+    const QString folder = studio_->take_folder(QStringLiteral("box.take"));
+    const Status made = simulate::simulate_take(folder.toStdString(), settings, {});
+    QVERIFY2(made.ok(), made ? "" : made.error().text().c_str());
+    studio_->context->document().set(take::open_take(folder.toStdString()).value());
+    QTRY_COMPARE_WITH_TIMEOUT(model().state(), SolveState::kSolved, 120000);
+    QVERIFY(!model().by_inclination());
+    QVERIFY(says(QStringLiteral("By the body filter")));
+    QCOMPARE(find<QComboBox>(QStringLiteral("Smoothing"))->isVisible(), false);
+    QVERIFY(model().evaluation().has_value());
+    QVERIFY2(model().evaluation()->all.inclination_mean_deg < 3.0, "the figure follows the body");
+    // Eighteen sensors do not fit: the selected one is scrolled to.
+    auto* bar = workspace().findChild<CurvesPanel*>()->findChild<QScrollBar*>();
+    QVERIFY(bar->isVisible());
+    QCOMPARE(bar->value(), 0);
+    studio_->context->selection().select(SelectionKind::kSegment, model().skeleton().find("right_foot"));
+    QVERIFY(bar->value() > 0);
+    save(QStringLiteral("solve-driver-box"));
+    studio_->window->show_workspace(QStringLiteral("calibrate"));
+    QVERIFY(says(QStringLiteral("This take needs no calibration by hand")));
   }
 };
 
