@@ -1,6 +1,7 @@
 #include "body/skeleton.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <filesystem>
 
@@ -132,6 +133,45 @@ Segment read_segment(const JsonReader& reader, const Skeleton& skeleton) {
   return segment;
 }
 
+// Lengths in centimetres or millimetres ("length_mm") become metres, so that a file in any unit is the same skeleton.
+void to_metres(nlohmann::json& json) {
+  static constexpr std::array<std::pair<std::string_view, double>, 2> kUnits{{{"_cm", 100.0}, {"_mm", 1000.0}}};
+  if (json.is_array()) {
+    for (nlohmann::json& item : json) {
+      to_metres(item);
+    }
+    return;
+  }
+  if (!json.is_object()) {
+    return;
+  }
+  std::vector<std::pair<std::string, nlohmann::json>> converted;
+  for (auto& [key, value] : json.items()) {
+    to_metres(value);
+    for (const auto& [suffix, per_metre] : kUnits) {
+      static constexpr std::array kLengths{"height", "length", "offset", "from", "to", "radius"};
+      const std::string stem = key.ends_with(suffix) ? key.substr(0, key.size() - suffix.size()) : "";
+      if (std::find(kLengths.begin(), kLengths.end(), stem) == kLengths.end() || json.contains(stem + "_m")) {
+        continue;
+      }
+      nlohmann::json metres = value;
+      const auto divide = [&, per = per_metre](nlohmann::json& number) {
+        number = number.is_number() ? nlohmann::json(number.get<double>() / per) : number;
+      };
+      if (metres.is_array()) {
+        std::for_each(metres.begin(), metres.end(), divide);
+      } else {
+        divide(metres);
+      }
+      converted.emplace_back(key, std::move(metres));
+    }
+  }
+  for (auto& [key, metres] : converted) {
+    json.erase(key);
+    json[key.substr(0, key.rfind('_')) + "_m"] = std::move(metres);
+  }
+}
+
 }  // namespace
 
 int Skeleton::find(std::string_view segment) const {
@@ -143,8 +183,10 @@ int Skeleton::find(std::string_view segment) const {
   return -1;
 }
 
-Result<Skeleton> skeleton_from_json(const nlohmann::json& json, const std::string& place) {
+Result<Skeleton> skeleton_from_json(const nlohmann::json& file, const std::string& place) {
   JsonReader::State state{place, {}};
+  nlohmann::json json = file;
+  to_metres(json);
   const JsonReader reader(json, "", state);
   reader.allow({"schema", "name", "height_m", "segments"});
   reader.at("schema").integer(1, 1);

@@ -84,7 +84,8 @@ std::string mind_to_text(const BodyMind& mind) {
                  {"state", state},
                  {"next_prior_s", mind.filter.next_prior_s},
                  {"watch", json::parse(mind.watch_text)},
-                 {"covariance", mind.filter.P}};
+                 {"covariance", mind.filter.P},
+                 {"covariance_above", mind.above}};
   return all.dump() + "\n";
 }
 
@@ -95,7 +96,8 @@ Result<BodyMind> mind_from_text(const std::string& text, const std::string& plac
   }
   JsonReader::State problems{place, {}};
   const JsonReader reader(*parsed, "", problems);
-  reader.allow({"schema", "kind", "states", "boards", "state", "next_prior_s", "watch", "covariance"});
+  reader.allow(
+      {"schema", "kind", "states", "boards", "state", "next_prior_s", "watch", "covariance", "covariance_above"});
   if (reader.at("kind").string() != "body-filter-state" && !problems.error) {
     reader.at("kind").fail("is not \"body-filter-state\"", "give a file that was saved by --save-state");
   }
@@ -125,9 +127,11 @@ Result<BodyMind> mind_from_text(const std::string& text, const std::string& plac
   s.sound_scale = state.at("sound_scale").number();
   mind.filter.next_prior_s = reader.at("next_prior_s").number();
   mind.filter.P = numbers(reader.at("covariance"));
+  mind.above = numbers(reader.at("covariance_above"));
   mind.watch_text = reader.at("watch").raw().dump();
   const auto entries = static_cast<std::size_t>(mind.states) * static_cast<std::size_t>(mind.states + 1) / 2;
-  if (!problems.error && mind.filter.P.size() != entries) {
+  if (!problems.error &&
+      (mind.filter.P.size() != entries || mind.above.size() + static_cast<std::size_t>(mind.states) != entries)) {
     reader.at("covariance").fail("has not as many entries as the states need");
   }
   if (problems.error) {

@@ -49,10 +49,11 @@ Status BodyTracker::finish() {
 }
 
 Status BodyTracker::run(double until_s, bool all) {
-  if (pending_.inertial.empty() && pending_.ranges.empty()) {
+  const bool nothing = pending_.inertial.empty() && pending_.ranges.empty();
+  if (nothing && !all) {
     return {};
   }
-  if (!started_) {
+  if (!started_ && !nothing) {
     const double first = std::min(pending_.inertial.empty() ? INFINITY : pending_.inertial.front().time_s,
                                   pending_.ranges.empty() ? INFINITY : pending_.ranges.front().time_s);
     if (!all && until_s <= first + window_s_ + kSameInstant) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <tuple>
 
 #include "base/json_reader.h"
 #include "estimate/body_smoother.h"
@@ -20,6 +22,21 @@ double square(double x) {
   return x * x;
 }
 
+// Ranks of what is worn, by segment and name.
+template <typename Worn>
+std::vector<int> ranks(const std::vector<Worn>& worn) {
+  std::vector<std::size_t> order(worn.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tie(worn[a].segment, worn[a].name) < std::tie(worn[b].segment, worn[b].name);
+  });
+  std::vector<int> rank(worn.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    rank[order[i]] = static_cast<int>(i);
+  }
+  return rank;
+}
+
 }  // namespace
 
 BodyWatch::BodyWatch(const BodyModel& model, const BodyWatchParameters& parameters)
@@ -28,6 +45,8 @@ BodyWatch::BodyWatch(const BodyModel& model, const BodyWatchParameters& paramete
       sensors_(model_, parameters.sensors),
       contacts_(model_, parameters.contacts),
       turned_(model_.boards.size(), 0) {
+  board_rank_ = ranks(model_.boards);
+  source_rank_ = ranks(model_.sources);
   usable_.push_back({0, std::vector<char>(model_.boards.size(), 1)});
   idles_ = any_idle(usable_.back().boards);
 }
@@ -38,11 +57,18 @@ bool BodyWatch::any_idle(const std::vector<char>& usable) const {
 }
 
 Result<Diagnostics> BodyWatch::start(BodyFilter& filter, const BodyReadings& readings) {
+  looks_at_feet_ = parameters_.stillness && filter.parameters().root == RootMode::kFree;
   if (mind_) {
     if (Status status = resume_from(*mind_, filter); !status) {
       return status.error();
     }
     filter.resume(mind_->filter);
+    const double* above = mind_->above.data();
+    for (int i = 0; i < mind_->states; ++i) {
+      for (int k = i + 1; k < mind_->states; ++k) {
+        filter.mutable_covariance().row(i)[k] = *above++;
+      }
+    }
     return Diagnostics{};
   }
   const bool given = filter.parameters().root == RootMode::kGiven && !readings.root.empty();
@@ -117,14 +143,32 @@ BodyInstant BodyWatch::before(BodyFilter& filter, const BodyInstant& instant, st
   const auto lost = [&](const InertialReading& reading) {
     return usable[static_cast<std::size_t>(reading.board)] == 0;
   };
-  if (std::none_of(instant.inertial, instant.inertial + instant.inertials, lost)) {
-    return instant;
-  }
-  kept_.clear();
-  std::remove_copy_if(instant.inertial, instant.inertial + instant.inertials, std::back_inserter(kept_), lost);
+  const auto board_before = [&](const InertialReading& a, const InertialReading& b) {
+    return board_rank_[static_cast<std::size_t>(a.board)] < board_rank_[static_cast<std::size_t>(b.board)];
+  };
+  const auto range_before = [&](const RangeReading& a, const RangeReading& b) {
+    const int first = source_rank_[static_cast<std::size_t>(a.source)];
+    const int second = source_rank_[static_cast<std::size_t>(b.source)];
+    return first != second
+               ? first < second
+               : board_rank_[static_cast<std::size_t>(a.board)] < board_rank_[static_cast<std::size_t>(b.board)];
+  };
+  // Readings of one instant in an order of their own, so that the order of a rig or of a file's lines does not count:
+  // how far one is believed depends on those before it.
   BodyInstant used = instant;
-  used.inertial = kept_.data();
-  used.inertials = kept_.size();
+  const InertialReading* words_end = instant.inertial + instant.inertials;
+  if (std::any_of(instant.inertial, words_end, lost) || !std::is_sorted(instant.inertial, words_end, board_before)) {
+    kept_.clear();
+    std::remove_copy_if(instant.inertial, words_end, std::back_inserter(kept_), lost);
+    std::stable_sort(kept_.begin(), kept_.end(), board_before);
+    used.inertial = kept_.data();
+    used.inertials = kept_.size();
+  }
+  if (!std::is_sorted(instant.ranges, instant.ranges + instant.range_count, range_before)) {
+    kept_ranges_.assign(instant.ranges, instant.ranges + instant.range_count);
+    std::stable_sort(kept_ranges_.begin(), kept_ranges_.end(), range_before);
+    used.ranges = kept_ranges_.data();
+  }
   return used;
 }
 
@@ -218,7 +262,7 @@ void BodyWatch::after(BodyFilter& filter, const BodyInstant& /*instant*/, std::s
   if (std::binary_search(idle_looks_.begin(), idle_looks_.end(), number)) {
     rest_idle_joints(filter, usable_at(number), record);
   }
-  if (parameters_.stillness && filter.parameters().root == RootMode::kFree) {
+  if (looks_at_feet_) {
     contacts_.update(filter, number, record != nullptr ? &record->updates : nullptr);
   }
 }
@@ -229,6 +273,9 @@ void BodyWatch::finished(const BodyFilter& filter) {
 
 Diagnostics BodyWatch::findings() const {
   Diagnostics found = sensors_.findings(now_);
+  if (!looks_at_feet_) {
+    return found;
+  }
   const Diagnostics feet = contacts_.findings();
   found.insert(found.end(), feet.begin(), feet.end());
   return found;
@@ -240,7 +287,12 @@ BodyMind BodyWatch::mind(const BodyFilter& filter) const {
                              {"next_idle_look_s", next_idle_look_},
                              {"turned", std::vector<int>(turned_.begin(), turned_.end())},
                              {"now_s", now_}};
-  return {filter.snapshot(), watch.dump(), filter.layout().size, static_cast<int>(model_.boards.size())};
+  const int states = filter.layout().size;
+  std::vector<double> above;
+  for (int i = 0; i < states; ++i) {
+    above.insert(above.end(), filter.covariance().row(i) + i + 1, filter.covariance().row(i) + states);
+  }
+  return {filter.snapshot(), std::move(above), watch.dump(), states, static_cast<int>(model_.boards.size())};
 }
 
 Status BodyWatch::resume_from(const BodyMind& mind, const BodyFilter& filter) {

@@ -27,7 +27,8 @@ struct BodyWatchParameters {
 /// A filter's mind and the watch's: what a recording is resumed from.
 struct BodyMind {
   BodyFilter::Snapshot filter;
-  std::string watch_text;  ///< JSON.
+  std::vector<double> above;  ///< P above its diagonal, row by row: rounding may have made it another than below.
+  std::string watch_text;     ///< JSON.
   int states = 0, boards = 0;
 };
 
@@ -80,9 +81,12 @@ class BodyWatch : public BodyStepHook {
   std::vector<Usable> usable_;
   std::vector<std::size_t> idle_looks_;
   double next_idle_look_ = -1e300, now_ = 0.0;
-  bool idles_ = false;        // some joints are told of by no board
-  std::vector<char> turned_;  // boards that are mounted another way than the rig says
+  bool looks_at_feet_ = false;
+  bool idles_ = false;                         // some joints are told of by no board
+  std::vector<char> turned_;                   // boards that are mounted another way than the rig says
+  std::vector<int> board_rank_, source_rank_;  // by segment and name
   std::vector<InertialReading> kept_;
+  std::vector<RangeReading> kept_ranges_;
   std::optional<BodyMind> mind_, last_mind_;
 };
 

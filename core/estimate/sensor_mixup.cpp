@@ -6,7 +6,8 @@
 namespace limbwave::estimate {
 namespace {
 
-constexpr double kStrangeNis = 4.0;  // mean per scalar of a board that is where it should be: about 1
+constexpr double kStrangeShare = 0.02;  // of readings beyond the gate; where all is right next to none are
+constexpr double kStrangeNis = 4.0;     // mean per scalar of a board that is where it should be: about 1
 constexpr std::size_t kSuspects = 4;
 constexpr double kTurning = 10.0;  // rad that suspects turn within the stretch
 constexpr double kLongest = 20.0;  // seconds
@@ -16,6 +17,10 @@ constexpr double kLeastGainRate = 0.02;  // per scalar of the suspects
 
 double mean_nis(const ReadingCount& count) {
   return count.nis_sum / static_cast<double>(std::max<std::int64_t>(1, count.used + count.gated));
+}
+
+double gated_share(const ReadingCount& count) {
+  return static_cast<double>(count.gated) / static_cast<double>(std::max<std::int64_t>(1, count.used + count.gated));
 }
 
 // The first part of a recording, up to a time.
@@ -101,7 +106,8 @@ std::vector<int> suspicious_boards(const BodyModel& model, const BodyRun& run, c
   for (std::size_t b = 0; b < model.boards.size(); ++b) {
     double strange = std::max(mean_nis(run.gyroscopes[b]), mean_nis(run.accelerometers[b]));
     strange = watch.turned()[b] != 0 ? 1e9 : strange;
-    if (strange > kStrangeNis) {
+    const double share = std::max(gated_share(run.gyroscopes[b]), gated_share(run.accelerometers[b]));
+    if (strange > kStrangeNis || share > kStrangeShare) {
       ranked.emplace_back(-strange, static_cast<int>(b));
     }
   }

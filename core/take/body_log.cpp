@@ -20,6 +20,15 @@ Error bad(const CsvTable& table, std::size_t row, const std::string& what) {
   return {what, table.place(row), "correct the line"};
 }
 
+Error short_row(const CsvTable& table, std::size_t row) {
+  return {"has fewer cells than the header", table.place(row), "complete the line; cells may be empty"};
+}
+
+Error no_column(const CsvTable& table, const std::string& name) {
+  return {"has no column \"" + name + "\"", table.file(),
+          "see \"Plain files for other people's sensors\" in the manual"};
+}
+
 // The columns of a table by name, and a row's numbers.
 class Columns {
  public:
@@ -35,7 +44,8 @@ class Columns {
     values.assign(columns_.size(), std::nan(""));
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const auto column = static_cast<std::size_t>(columns_[i]);
-      if (columns_[i] >= 0 && column < cells.size() && !read_number(cells[column], values[i])) {
+      if (columns_[i] >= 0 && column < cells.size() &&
+          (!read_number(cells[column], values[i]) || (!cells[column].empty() && !std::isfinite(values[i])))) {
         return false;
       }
     }
@@ -49,6 +59,22 @@ class Columns {
 
 Status read_inertial(const CsvTable& table, const BodyModel& model, BodyReadings& readings) {
   const Columns columns(table, {"time_s", "wx_rad_s", "wy_rad_s", "wz_rad_s", "ax_m_s2", "ay_m_s2", "az_m_s2"});
+  for (const char* chip : {"wx_rad_s,wy_rad_s,wz_rad_s", "ax_m_s2,ay_m_s2,az_m_s2"}) {
+    // All three or none.
+    std::string absent;
+    int there = 0;
+    for (std::string_view rest = chip; !rest.empty();) {
+      const std::string name(rest.substr(0, rest.find(',')));
+      rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+      const bool found = table.column(name) >= 0;
+      there += found ? 1 : 0;
+      absent = found || !absent.empty() ? absent : name;
+    }
+    if (there > 0 && there < 3) {
+      return no_column(table, absent);
+    }
+  }
+  const std::size_t width = table.columns();
   const int sensor = table.column("sensor");
   if (sensor < 0 && model.boards.size() != 1) {
     return Error{"has no column \"sensor\", and the rig has several", table.file(), "say which sensor every row is of"};
@@ -56,6 +82,9 @@ Status read_inertial(const CsvTable& table, const BodyModel& model, BodyReadings
   std::vector<double> v;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto cells = table.cells(row);
+    if (cells.size() < width) {
+      return short_row(table, row);
+    }
     if (!columns.read(cells, v) || std::isnan(v[0])) {
       return bad(table, row, "has a cell that is not a number");
     }
@@ -82,12 +111,21 @@ Status read_inertial(const CsvTable& table, const BodyModel& model, BodyReadings
 
 Status read_ranges(const CsvTable& table, const BodyModel& model, BodyReadings& readings) {
   const Columns columns(table, {"time_s", "range_m", "confidence"});
+  for (const char* name : {"source", "receiver"}) {
+    if (table.column(name) < 0) {
+      return no_column(table, name);
+    }
+  }
+  const std::size_t width = table.columns();
   const auto source = static_cast<std::size_t>(std::max(0, table.column("source")));
   const auto receiver = static_cast<std::size_t>(std::max(0, table.column("receiver")));
   std::vector<double> v;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto cells = table.cells(row);
-    if (!columns.read(cells, v) || std::isnan(v[0]) || cells.size() <= std::max(source, receiver)) {
+    if (cells.size() < width) {
+      return short_row(table, row);
+    }
+    if (!columns.read(cells, v) || std::isnan(v[0])) {
       return bad(table, row, "has a cell that is not a number");
     }
     estimate::RangeReading reading;
@@ -103,6 +141,12 @@ Status read_ranges(const CsvTable& table, const BodyModel& model, BodyReadings& 
     }
     reading.range = v[1];
     reading.confidence = std::isnan(v[2]) ? 1.0 : v[2];
+    if (reading.range <= 0.0) {
+      return bad(table, row, "has a range that is not positive");
+    }
+    if (reading.confidence < 0.0 || reading.confidence > 1.0) {
+      return bad(table, row, "has a confidence that is not from 0 to 1");
+    }
     if (!readings.ranges.empty() && reading.time_s < readings.ranges.back().time_s) {
       return bad(table, row, "is earlier than the line before");
     }

@@ -90,6 +90,10 @@ Result<CsvTable> CsvTable::parse(std::string text, const std::string& place) {
   return table;
 }
 
+std::size_t CsvTable::columns() const {
+  return split(std::string_view(text_).substr(lines_.front().first, lines_.front().second)).size();
+}
+
 int CsvTable::column(std::string_view name) const {
   const auto header = split(std::string_view(text_).substr(lines_.front().first, lines_.front().second));
   for (std::size_t i = 0; i < header.size(); ++i) {

@@ -17,6 +17,7 @@ class CsvTable {
   static Result<CsvTable> parse(std::string text, const std::string& place);
 
   [[nodiscard]] std::size_t rows() const { return lines_.empty() ? 0 : lines_.size() - 1; }
+  [[nodiscard]] std::size_t columns() const;  ///< Of the header.
   /// Column of a name, or -1.
   [[nodiscard]] int column(std::string_view name) const;
   /// Cells of a row, 0-based; a view into the table.

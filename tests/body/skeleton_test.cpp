@@ -81,6 +81,52 @@ TEST(Skeleton, RefusalsNameThePathOfTheKey) {
   }
 }
 
+TEST(Skeleton, IsTheSameInEveryUnit) {
+  const auto metres = load_skeleton("body");
+  ASSERT_TRUE(metres.ok());
+  for (const auto& [suffix, per_metre] : {std::pair{"_mm", 1000.0}, {"_cm", 100.0}}) {
+    nlohmann::json json = skeleton_to_json(*metres);
+    const std::function<void(nlohmann::json&)> rename = [&](nlohmann::json& value) {
+      if (value.is_object()) {
+        nlohmann::json renamed = nlohmann::json::object();
+        for (auto& [key, item] : value.items()) {
+          rename(item);
+          if (!key.ends_with("_m")) {
+            renamed[key] = item;
+            continue;
+          }
+          if (item.is_array()) {
+            for (auto& number : item) {
+              number = number.get<double>() * per_metre;
+            }
+          } else {
+            item = item.get<double>() * per_metre;
+          }
+          renamed[key.substr(0, key.size() - 2) + suffix] = item;
+        }
+        value = renamed;
+      } else if (value.is_array()) {
+        for (auto& item : value) {
+          rename(item);
+        }
+      }
+    };
+    rename(json);
+    const auto read = skeleton_from_json(json, "test");
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    ASSERT_EQ(read->segments.size(), metres->segments.size());
+    EXPECT_NEAR(read->height, metres->height, 1e-12);
+    for (std::size_t i = 0; i < metres->segments.size(); ++i) {
+      EXPECT_LT((read->segments[i].p_PL - metres->segments[i].p_PL).norm(), 1e-12);
+      EXPECT_NEAR(read->segments[i].length, metres->segments[i].length, 1e-12);
+      ASSERT_EQ(read->segments[i].capsules.size(), metres->segments[i].capsules.size());
+      for (std::size_t c = 0; c < metres->segments[i].capsules.size(); ++c) {
+        EXPECT_NEAR(read->segments[i].capsules[c].radius, metres->segments[i].capsules[c].radius, 1e-12);
+      }
+    }
+  }
+}
+
 TEST(Skeleton, MissingFileSaysSo) {
   const Result<Skeleton> skeleton = load_skeleton("/nowhere/at-all.json");
   ASSERT_FALSE(skeleton.ok());
