@@ -415,6 +415,11 @@ std::vector<InertialReading> InertialWordDecoder::take_readings() {
   return readings;
 }
 
+double InertialWordDecoder::passed_s() const {
+  const Impl& d = *impl_;
+  return d.seconds_of((d.bit_middles.empty() ? d.next_bit : d.bit_middles.front()) - d.period);
+}
+
 const WordStatus& InertialWordDecoder::status() const {
   return impl_->status;
 }
