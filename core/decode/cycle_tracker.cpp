@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limbwave::decode {
 namespace {
 
-constexpr double kLeast = 1e-7;        // of all weights; less likely hypotheses are dropped
-constexpr double kSameRate = 0.008;    // m/s
-constexpr double kSameForce = 0.4;     // m/s²
-constexpr double kLost = 1e-14;        // mean likelihood, below which nothing explains a reading
+constexpr double kLeast = 1e-7;          // of all weights; less likely hypotheses are dropped
+constexpr double kSameRate = 0.008;      // m/s
+constexpr double kSameForce = 0.4;       // m/s²
+constexpr double kLost = 1e-14;          // mean likelihood, below which nothing explains a reading
 constexpr double kEnvelopeStray = 2e-3;  // of envelopes are three times as bad as they say
 
 double envelope_likelihood(double off, double variance) {
@@ -20,7 +21,8 @@ double envelope_likelihood(double off, double variance) {
 }  // namespace
 
 void CycleTracker::start(const Eigen::Matrix3d& P) {
-  hypotheses_.assign(1, {Eigen::Vector3d::Zero(), P, 1.0, 0});
+  hypotheses_.assign(1, {Eigen::Vector3d::Zero(), P, 1.0, 0, 0});
+  fresh_ = true;
 }
 
 void CycleTracker::shift(const Eigen::Vector3d& by) {
@@ -29,7 +31,7 @@ void CycleTracker::shift(const Eigen::Vector3d& by) {
   }
 }
 
-void CycleTracker::advance(double dt, double memory_s, double jerk, double acceleration_walk) {
+void CycleTracker::advance(double dt, double memory_s, double jerk, double acceleration_walk, double wandered) {
   const double age = std::abs(dt);
   const double keep = std::exp(-age / memory_s);
   Eigen::Matrix3d F;
@@ -39,7 +41,7 @@ void CycleTracker::advance(double dt, double memory_s, double jerk, double accel
   const double sign = dt < 0.0 ? -1.0 : 1.0;
   const double d2 = age * age;
   Eigen::Matrix3d Q;
-  Q(0, 0) = q * d2 * d2 * age / 20.0 + w * d2 * age / 3.0;
+  Q(0, 0) = q * d2 * d2 * age / 20.0 + w * d2 * age / 3.0 + wandered;
   Q(0, 1) = Q(1, 0) = sign * (q * d2 * d2 / 8.0 + w * d2 / 2.0);
   Q(0, 2) = Q(2, 0) = q * d2 * age / 6.0;
   Q(1, 1) = q * d2 * age / 3.0 + w * age;
@@ -77,7 +79,8 @@ CycleResult CycleTracker::take(const CycleReading& r) {
       const double usual = (1.0 - stray_) * std::exp(-0.5 * off * off / near) / std::sqrt(near);
       const double stray = stray_ * std::exp(-0.5 * off * off / far) / std::sqrt(far);
       Hypothesis child = h;
-      child.cycles = k;
+      child.cycles = static_cast<std::int64_t>(nearest) + k;
+      child.moved = child.cycles - h.cycles;
       child.weight = h.weight * likelihood * (usual + stray);
       if (child.weight <= kLeast * total) {
         continue;
@@ -125,13 +128,25 @@ CycleResult CycleTracker::take(const CycleReading& r) {
     kept += h.weight;
   }
   // What was dropped for want of room counts as failure.
-  std::vector<double> by_number(static_cast<std::size_t>(2 * reach + 1), 0.0);
-  for (const Hypothesis& h : hypotheses_) {
-    by_number[static_cast<std::size_t>(h.cycles + reach)] += h.weight;
-  }
-  const auto best = std::max_element(by_number.begin(), by_number.end());
-  result.range = r.phase + (nearest + static_cast<double>(best - by_number.begin()) - reach) * wavelength_;
-  result.failure = std::max(0.0, 1.0 - *best / total);
+  const auto likeliest = [&](std::int64_t Hypothesis::*number) {
+    std::pair<std::int64_t, double> best{0, -1.0};
+    for (const Hypothesis& h : hypotheses_) {
+      double weight = 0.0;
+      for (const Hypothesis& other : hypotheses_) {
+        weight += other.*number == h.*number ? other.weight : 0.0;
+      }
+      best = weight > best.second ? std::pair(h.*number, weight) : best;
+    }
+    return best;
+  };
+  const auto best = likeliest(&Hypothesis::cycles);
+  const auto moved = likeliest(&Hypothesis::moved);
+  result.cycles = best.first;
+  result.range = r.phase + static_cast<double>(best.first) * wavelength_;
+  result.failure = std::max(0.0, 1.0 - best.second / total);
+  result.moved = moved.first;
+  result.moved_failure = fresh_ ? 1.0 : std::max(0.0, 1.0 - moved.second / total);
+  fresh_ = false;
   for (Hypothesis& h : hypotheses_) {
     h.weight /= kept;
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace limbwave::decode {
@@ -16,16 +17,19 @@ struct CycleReading {
 };
 
 struct CycleResult {
-  double range = 0.0;    ///< Of the likeliest number of cycles, metres.
-  double failure = 1.0;  ///< Probability that the number is another one.
+  double range = 0.0;          ///< Of the likeliest number of cycles, metres.
+  double failure = 1.0;        ///< Probability that the number is another one.
+  std::int64_t cycles = 0;     ///< That number, counted from the phase.
+  std::int64_t moved = 0;      ///< By how many of them the range has most likely changed since the last pulse,
+  double moved_failure = 1.0;  ///< and the probability that it was by another number.
 };
 
 /// A Gaussian sum (Alspach & Sorenson 1972) over numbers of whole cycles. The residual of the range against what the
 /// microphone's tracker dead-reckons has three states: itself, its rate, its acceleration. Every pulse's phase fits
 /// each hypothesis with several numbers of cycles; each of these is a hypothesis of the next generation, weighted by
 /// how well the phase fits its movement, and the envelope its range. Phases are sixty times finer than envelopes: wrong
-/// numbers that change from pulse to pulse soon contradict the movement, and those that are wrong by the same number all
-/// the time contradict the mean of the envelopes. Unlikely hypotheses are dropped, equal ones joined.
+/// numbers that change from pulse to pulse soon contradict the movement, and those that are wrong by the same number
+/// all the time contradict the mean of the envelopes. Unlikely hypotheses are dropped, equal ones joined.
 class CycleTracker {
  public:
   CycleTracker(double wavelength, double stray, double stray_m)
@@ -37,8 +41,9 @@ class CycleTracker {
   void start(const Eigen::Matrix3d& P);
   /// The tracker has been corrected: what is counted from it moves by as much.
   void shift(const Eigen::Vector3d& by);
-  /// Time passes, seconds, of either sign; acceleration errors forget in `memory_s`; noise per √s.
-  void advance(double dt, double memory_s, double jerk, double acceleration_walk);
+  /// Time passes, seconds, of either sign; acceleration errors forget in `memory_s`; noise per √s, and the variance of
+  /// what the source has wandered.
+  void advance(double dt, double memory_s, double jerk, double acceleration_walk, double wandered);
   CycleResult take(const CycleReading& reading);
 
  private:
@@ -47,10 +52,11 @@ class CycleTracker {
     Eigen::Vector3d x;
     Eigen::Matrix3d P;
     double weight;
-    int cycles;
+    std::int64_t cycles, moved;
   };
   double wavelength_, stray_, stray_m_;
   std::vector<Hypothesis> hypotheses_, next_;
+  bool fresh_ = true;
 };
 
 }  // namespace limbwave::decode

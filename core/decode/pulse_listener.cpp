@@ -38,8 +38,7 @@ void PulseListener::filter() {
   const auto taps = static_cast<std::int64_t>(plan_.taps_re.size());
   while (next_value_ * plan_.step - half + taps <= end()) {
     const float* x = samples_.data() + (next_value_ * plan_.step - half - samples_start_);
-    const signal::DotPair sum =
-        signal::dot_pair(x, plan_.taps_re.data(), plan_.taps_im.data(), plan_.taps_re.size());
+    const signal::DotPair sum = signal::dot_pair(x, plan_.taps_re.data(), plan_.taps_im.data(), plan_.taps_re.size());
     values_.emplace_back(sum.first, sum.second);
     ++next_value_;
   }
@@ -125,10 +124,9 @@ void PulseListener::one_slot(std::int64_t first) {
       heard.steepest = paper_->find(
           std::span<const float>(samples_).subspan(at, static_cast<std::size_t>(format_.slot_samples) + 2 * margin));
     } else {
-      const FoundPulse found =
-          finder_.find(window_, first_value_s - source.delay_s,
-                       std::min(longest_reach_, source.reach) / format_.speed_of_sound + 0.2e-3,
-                       std::max(noise_, 0.25 * noise_now_), parameters_.detection);
+      const FoundPulse found = finder_.find(window_, first_value_s - source.delay_s,
+                                            std::min(longest_reach_, source.reach) / format_.speed_of_sound + 0.2e-3,
+                                            std::max(noise_, 0.25 * noise_now_), parameters_.detection);
       heard.count = std::min(found.arrivals.size(), HeardSlot::kMost);
       std::copy_n(found.arrivals.begin(), heard.count, heard.arrivals.begin());
     }

@@ -22,10 +22,10 @@ namespace limbwave::decode {
 struct HeardSlot {
   static constexpr std::size_t kMost = 4;
   std::int64_t slot = 0;
-  int source = 0;                      ///< That fires in it.
-  bool cut = false;                    ///< Samples are missing.
-  double noise = 0.0;                  ///< Power of a complex value, over several slots.
-  double noise_now = 0.0;              ///< In this slot.
+  int source = 0;                         ///< That fires in it.
+  bool cut = false;                       ///< Samples are missing.
+  double noise = 0.0;                     ///< Power of a complex value, over several slots.
+  double noise_now = 0.0;                 ///< In this slot.
   std::array<Arrival, kMost> arrivals{};  ///< Delays are from the source's start; the first one first.
   std::size_t count = 0;
   std::optional<SteepestPoint::Found> steepest;  ///< By the paper's method, where it is asked for.

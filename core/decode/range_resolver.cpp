@@ -11,14 +11,16 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kStrong = 0.6;          // of the amplitude expected: fully believed from here
-constexpr double kSystematic = 0.4e-3;   // metres, of the envelope beside its noise
-constexpr double kSurprise = 5.0;        // standard deviations
-constexpr double kNowhere = 0.6;         // radians, of a direction that is not known
-constexpr double kPoseAngle = 0.06;      // radians, of one that a pose filter tells
-constexpr double kDoubt = 4.0;           // standard deviations of the mean of envelope minus carrier
-constexpr double kPairForgets = 0.7;     // seconds
-constexpr double kSure = 0.030;          // metres: who expects a range this well chooses among arrivals
+constexpr double kStrong = 0.6;         // of the amplitude expected: fully believed from here
+constexpr double kSystematic = 0.4e-3;  // metres, of the envelope beside its noise
+constexpr double kSurprise = 5.0;       // standard deviations
+constexpr double kNowhere = 0.6;        // radians, of a direction that is not known
+constexpr double kPoseAngle = 0.06;     // radians, of one that a pose filter tells
+constexpr double kDoubt = 4.0;          // standard deviations of the mean of envelope minus carrier
+constexpr double kPairForgets = 0.7;    // seconds
+constexpr double kOverload = 0.85;      // of full scale: from there on the shape is not the pulse's, but the phase is
+constexpr double kOverloaded = 0.020;   // metres
+constexpr double kSure = 0.030;         // metres: who expects a range this well chooses among arrivals
 
 double wrapped(double value, double period) {
   return value - period * std::floor(value / period);
@@ -36,8 +38,8 @@ RangeResolver::RangeResolver(const RangingFormat& format, SampleRate rate, int r
       centroid_s_(centroid_s),
       wavelength_(format.speed_of_sound / format.pulse_hz),
       followed_{RangeTracker(format, parameters, R_CS_rest, origin), {}},
-      stretch_(static_cast<std::size_t>(
-          std::max(0.0, std::ceil(parameters.look_ahead_s * rate.hz / format.slot_samples)))) {
+      stretch_(
+          static_cast<std::size_t>(std::max(0.0, std::ceil(parameters.look_ahead_s * rate.hz / format.slot_samples)))) {
   followed_.pairs.assign(format.sources.size(), {CycleTracker(wavelength_, parameters.stray, parameters.stray_m)});
 }
 
@@ -75,8 +77,8 @@ void RangeResolver::add(const HeardSlot& heard, const TrackerStep& step) {
     return;
   }
   kept_.push_back({heard, step, reading});
-  if (kept_.size() >= 2 * stretch_) {
-    settle(stretch_);
+  if (kept_.size() >= 3 * stretch_) {
+    settle(2 * stretch_);
   }
 }
 
@@ -91,6 +93,7 @@ void RangeResolver::settle(std::size_t count) {
   back.tracker.forget_corrections();
   for (Followed::Pair& pair : back.pairs) {
     pair.cycles.stop();
+    pair.counted = pair.fixed = false;
   }
   for (std::size_t i = kept_.size(); i-- > 0;) {
     Kept& kept = kept_[i];
@@ -124,8 +127,7 @@ RangeReading RangeResolver::better(const RangeReading& forward, const RangeReadi
   return best.verdict == RangeVerdict::kAmbiguous && (f || b) ? other : best;
 }
 
-RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed,
-                                  bool forward) {
+RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward) {
   RangeTracker& tracker = followed.tracker;
   RangeReading reading = blank(heard);
   if (const auto expected = tracker.expect(heard.source, step.source)) {
@@ -194,11 +196,13 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
   const RangingSource& source = format_.sources[static_cast<std::size_t>(heard.source)];
   const double c = format_.speed_of_sound;
   const auto expected = tracker.expect(heard.source, step.source);
-  const std::optional<RangePrediction> told =
-      predict_ ? predict_(reading.source, reading.emission_time) : std::nullopt;
+  const std::optional<RangePrediction> told = predict_ ? predict_(reading.source, reading.emission_time) : std::nullopt;
   const Arrival& arrival = straight(heard, expected);
   reading.envelope_range = c * arrival.delay_s;
   reading.envelope_variance = c * c * arrival.delay_variance + kSystematic * kSystematic;
+  if (arrival.amplitude > kOverload) {
+    reading.envelope_variance += kOverloaded * kOverloaded;
+  }
   Direction towards{0.0, kNowhere};
   if (told && std::isfinite(told->angle)) {
     towards = {told->angle, kPoseAngle};
@@ -213,8 +217,7 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
   // Off the axis the phase turns: by what is calibrated where the direction is known, by nobody knows what else.
   const double slope = u * (2.0 * source.phase + 3.0 * u * source.phase_2) / (kPi / 3.0);
   const double radian = wavelength_ / (2.0 * kPi);
-  const double turn_sd =
-      std::hypot(std::abs(slope) * towards.sd * radian, parameters_.phase_sd * std::max(1.0, u * u));
+  const double turn_sd = std::hypot(std::abs(slope) * towards.sd * radian, parameters_.phase_sd * std::max(1.0, u * u));
   const double phase_variance = arrival.phase_variance * radian * radian + turn_sd * turn_sd;
   weigh(source, reading.envelope_range, arrival.amplitude, heard.noise, towards, reading);
   reading.range = reading.envelope_range;
@@ -253,15 +256,47 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
     reading.range = result.range;
     reading.variance = phase_variance;
     reading.flight_s = result.range / c;
-    tracker.update(reading.source, step.source, reading.range, phase_variance + 0.01e-6);
     if (forward) {
       watch(reading);
     }
-  } else {
-    tracker.update(reading.source, step.source, reading.envelope_range,
-                   parameters_.caution * reading.envelope_variance);
   }
+  follow(result, phase_variance, step.source, reading, followed);
   followed.pass_on();
+}
+
+// What the microphone's tracker learns of it. Cycles whose number is not known tell, once they are followed from pulse
+// to pulse, how the range changes as finely as known ones; what is wrong with their number is a state until it is
+// known.
+void RangeResolver::follow(const CycleResult& result, double phase_variance, const SourceStep& step,
+                           const RangeReading& reading, Followed& followed) const {
+  RangeTracker& tracker = followed.tracker;
+  Followed::Pair& pair = followed.pairs[static_cast<std::size_t>(reading.source)];
+  const double fine = phase_variance + 0.01e-6;
+  const bool went_on = pair.counted && result.moved_failure <= parameters_.failure;
+  if (reading.verdict == RangeVerdict::kAccepted) {
+    if (went_on && !pair.fixed) {
+      tracker.fix(reading.source, static_cast<double>(pair.count + result.moved - result.cycles) * wavelength_);
+    }
+    pair.counted = pair.fixed = true;
+    pair.count = result.cycles;
+    tracker.update(reading.source, step, reading.range, fine);
+    return;
+  }
+  if (went_on) {
+    pair.count += result.moved;
+  } else {
+    pair.counted = pair.cycles.running();
+    pair.fixed = false;
+    pair.count = result.cycles;
+    tracker.set_floating(reading.source);
+  }
+  if (pair.counted) {
+    tracker.update(reading.source, step, reading.phase_range + static_cast<double>(pair.count) * wavelength_, fine,
+                   !pair.fixed);
+  }
+  if (!pair.fixed) {
+    tracker.update(reading.source, step, reading.envelope_range, parameters_.caution * reading.envelope_variance);
+  }
 }
 
 CycleResult RangeResolver::resolve(double phase_variance, const TrackerStep& step,
@@ -272,16 +307,19 @@ CycleResult RangeResolver::resolve(double phase_variance, const TrackerStep& ste
   const double dt = step.source.time_s - pair.time_s;
   if (pair.cycles.running() && std::abs(dt) < kPairForgets) {
     const double jerk = std::sqrt(std::max(0.0, followed.tracker.jerk_sum() - pair.jerk_sum) / std::abs(dt));
-    pair.cycles.advance(dt, RangeTracker::memory_s(), jerk, RangeTracker::velocity_walk());
+    pair.cycles.advance(dt, RangeTracker::memory_s(), jerk, RangeTracker::velocity_walk(),
+                        followed.tracker.wander_sum(reading.source) - pair.wander_sum);
   } else {
     Eigen::Matrix3d P = 1.5 * expected.P;
     P(0, 0) += 0.25e-6;
     P(1, 1) += 1e-4;
     P(2, 2) += 0.04;
     pair.cycles.start(P);
+    pair.counted = pair.fixed = false;
   }
   pair.time_s = step.source.time_s;
   pair.jerk_sum = followed.tracker.jerk_sum();
+  pair.wander_sum = followed.tracker.wander_sum(reading.source);
   pair.place = step.source.place;
   CycleReading r;
   r.nominal = expected.range;
@@ -307,6 +345,7 @@ void RangeResolver::watch(const RangeReading& reading) {
     followed_.tracker.doubt();
     for (Followed::Pair& pair : followed_.pairs) {
       pair.cycles.stop();
+      pair.counted = pair.fixed = false;
     }
     slip_ = {};
   }

@@ -29,7 +29,7 @@ class RangeResolver {
   void add(const HeardSlot& heard, const TrackerStep& step);
   /// No more slots.
   void finish();
-  /// One reading per slot since the last call, in order; `look_ahead_s` and as much again late at most.
+  /// One reading per slot since the last call, in order; at most three times `look_ahead_s` late.
   std::vector<RangeReading> take();
 
  private:
@@ -46,15 +46,17 @@ class RangeResolver {
     RangeTracker tracker;
     struct Pair {
       CycleTracker cycles;
-      Eigen::Vector3d place = Eigen::Vector3d::Zero();  // of the source, in the tracker's frame
-      double time_s = 0.0, jerk_sum = 0.0;              // at its last pulse
+      Eigen::Vector3d place = Eigen::Vector3d::Zero();        // of the source, in the tracker's frame
+      double time_s = 0.0, jerk_sum = 0.0, wander_sum = 0.0;  // at its last pulse
+      bool counted = false;                                   // cycles are followed since some pulse,
+      bool fixed = false;                                     // and their number is known
+      std::int64_t count = 0;                                 // that is counted on
     };
     std::vector<Pair> pairs;
     void pass_on();  ///< Corrections of the tracker to the pairs.
   };
   [[nodiscard]] RangeReading blank(const HeardSlot& heard) const;
-  [[nodiscard]] RangeReading judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed,
-                                   bool forward);
+  [[nodiscard]] RangeReading judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward);
   void by_paper(const HeardSlot& heard, const TrackerStep& step, RangeTracker& tracker, RangeReading& reading) const;
   void by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
                    RangeReading& reading);
@@ -66,6 +68,8 @@ class RangeResolver {
                                     const RangeTracker::Expectation& expected,
                                     const std::optional<RangePrediction>& told, const RangeReading& reading,
                                     Followed& followed) const;
+  void follow(const CycleResult& result, double phase_variance, const SourceStep& step, const RangeReading& reading,
+              Followed& followed) const;
   void watch(const RangeReading& reading);
   void settle(std::size_t count);
   [[nodiscard]] static RangeReading better(const RangeReading& forward, const RangeReading& backward,

@@ -12,33 +12,33 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kLevel = 0.5;  // seconds, for gravity to tell inclination while nothing else does
-constexpr double kForget = 1.5;           // seconds without a range, then the state is found anew
-constexpr double kForgetUnaided = 0.4;    // the same without words
+constexpr double kLevel = 0.5;          // seconds, for gravity to tell inclination while nothing else does
+constexpr double kForget = 1.5;         // seconds without a range, then the state is found anew
+constexpr double kForgetUnaided = 0.4;  // the same without words
 constexpr int kContradictions = 10;
 constexpr double kMostBend = 0.3e-3;  // metres
 
 // Process noise, per √s.
-constexpr double kVelocityWalk = 0.02;     // m/s: noise of the accelerometers, readings joined by lines
-constexpr double kErrorTime = 0.7;         // seconds
-constexpr double kErrorSd = 0.30;          // m/s²
-constexpr double kErrorShare = 0.03;       // of the relative acceleration
-constexpr double kMostLoose = 6.0;         // m/s²
-constexpr double kTurnWalk = 0.001;        // rad
-constexpr double kTurnShare = 0.003;       // of the rate of turn
-constexpr double kBlindTurn = 1.5;         // rad: a gyroscope at the end of its range
-constexpr double kBlindJerk = 60.0;        // m/s³: an accelerometer likewise
-constexpr double kPlaceWalk = 0.7e-3;      // metres, of sources
-constexpr double kPlaceTurn = 4e-3;        // metres per radian that the frame turns
-constexpr double kOtherPlaceWalk = 2e-3;   // of sources on other segments
-constexpr double kOtherPlaceTurn = 15e-3;
+constexpr double kVelocityWalk = 0.02;      // m/s: noise of the accelerometers, readings joined by lines
+constexpr double kErrorTime = 0.7;          // seconds
+constexpr double kErrorSd = 0.20;           // m/s²
+constexpr double kErrorShare = 0.02;        // of the relative acceleration
+constexpr double kFloatSd = 0.030;          // metres
+constexpr double kMostLoose = 6.0;          // m/s²
+constexpr double kTurnWalk = 0.001;         // rad
+constexpr double kTurnShare = 0.003;        // of the rate of turn
+constexpr double kBlindTurn = 1.5;          // rad: a gyroscope at the end of its range
+constexpr double kBlindJerk = 60.0;         // m/s³: an accelerometer likewise
+constexpr double kPlaceWalk = 0.5e-3;       // metres, of sources
+constexpr double kPlaceTurn = 3e-3;         // metres per radian that the frame turns
+constexpr double kOtherPlaceWalk = 1e-3;    // of sources on other segments
 constexpr double kUnaidedPlaceWalk = 0.02;  // of these where no words tell how the segments move
 // What bounds a state that few sources see: limbs come back to rest, slow down, and do not push for long.
-constexpr double kTether = 0.060;  // seconds from one reminder to the next
-constexpr double kTetherPlace = 1.5, kTetherSpeed = 4.0, kTetherAcceleration = 25.0, kTetherSource = 0.05;
-constexpr double kTetherSkeleton = 0.25, kTetherSkeletonSpeed = 1.2;  // of where the skeleton puts a board
-constexpr double kSkeletonSd = 0.10, kSkeletonSpeedSd = 0.4;  // metres, m/s: the same at the start
-constexpr double kTetherGravity = 6.0;  // m/s², of the mean forces of two boards
+constexpr double kTether = 0.120, kTetherSources = 2.0;  // seconds from one reminder to the next
+constexpr double kTetherPlace = 1.0, kTetherSpeed = 2.8, kTetherAcceleration = 18.0, kTetherSource = 0.03;
+constexpr double kTetherSkeleton = 0.18, kTetherSkeletonSpeed = 0.85;  // of where the skeleton puts a board
+constexpr double kSkeletonSd = 0.10, kSkeletonSpeedSd = 0.4;           // metres, m/s: the same at the start
+constexpr double kTetherGravity = 4.0;                                 // m/s², of the mean forces of two boards
 
 double square(double x) {
   return x * x;
@@ -56,7 +56,8 @@ RangeTracker::RangeTracker(const RangingFormat& format, const RangingParameters&
       R_CS_(R_CS_rest),
       sources_(std::min(kSources, static_cast<int>(format.sources.size()))),
       x_(State::Zero()),
-      P_(Covariance::Zero()) {
+      P_(Covariance::Zero()),
+      wander_sums_(format.sources.size(), 0.0) {
   forget_corrections();
 }
 
@@ -92,18 +93,30 @@ void RangeTracker::propagate(double dt, const TrackerStep& step) {
   x_.head<3>() = E * (x_.head<3>() + dt * x_.segment<3>(3) + 0.5 * dt * dt * a);
   x_.segment<3>(3) = E * (x_.segment<3>(3) + dt * a);
   x_.segment<3>(6) *= keep;
-  Eigen::Matrix<double, kMoving, kMoving> F = Eigen::Matrix<double, kMoving, kMoving>::Zero();
-  const Matrix3d fx = known ? Matrix3d(-geometry::skew(R_CS_ * step.board.felt.f_S)) : Matrix3d::Zero();
-  F.block<3, 3>(0, 0) = F.block<3, 3>(3, 3) = F.block<3, 3>(9, 9) = E;
-  F.block<3, 3>(0, 3) = F.block<3, 3>(3, 6) = dt * E;
-  F.block<3, 3>(0, 6) = 0.5 * dt * dt * E;
-  F.block<3, 3>(3, 9) = dt * E * fx;
-  F.block<3, 3>(0, 9) = 0.5 * dt * dt * E * fx;
-  F.block<3, 3>(6, 6) = keep * Matrix3d::Identity();
-  const Eigen::Matrix<double, kMoving, kStates> rows = F * P_.topRows<kMoving>();
-  P_.topRows<kMoving>() = rows;
-  const Eigen::Matrix<double, kStates, kMoving> columns = P_.leftCols<kMoving>() * F.transpose();
-  P_.leftCols<kMoving>() = columns;
+  // F P, then (F P) Fᵀ, by blocks of three: most of F is zero.
+  const Matrix3d fx = known ? Matrix3d(-geometry::skew(f_C_)) : Matrix3d::Zero();
+  const double half = 0.5 * dt * dt;
+  {
+    const Eigen::Matrix<double, 3, kStates> pushed = P_.middleRows<3>(6) + fx * P_.middleRows<3>(9);
+    const Eigen::Matrix<double, 3, kStates> p = E * (P_.middleRows<3>(0) + dt * P_.middleRows<3>(3) + half * pushed);
+    const Eigen::Matrix<double, 3, kStates> v = E * (P_.middleRows<3>(3) + dt * pushed);
+    const Eigen::Matrix<double, 3, kStates> theta = E * P_.middleRows<3>(9);
+    P_.middleRows<3>(0) = p;
+    P_.middleRows<3>(3) = v;
+    P_.middleRows<3>(6) *= keep;
+    P_.middleRows<3>(9) = theta;
+  }
+  {
+    const Matrix3d Et = E.transpose();
+    const Eigen::Matrix<double, kStates, 3> pushed = P_.middleCols<3>(6) + P_.middleCols<3>(9) * fx.transpose();
+    const Eigen::Matrix<double, kStates, 3> p = (P_.middleCols<3>(0) + dt * P_.middleCols<3>(3) + half * pushed) * Et;
+    const Eigen::Matrix<double, kStates, 3> v = (P_.middleCols<3>(3) + dt * pushed) * Et;
+    const Eigen::Matrix<double, kStates, 3> theta = P_.middleCols<3>(9) * Et;
+    P_.middleCols<3>(0) = p;
+    P_.middleCols<3>(3) = v;
+    P_.middleCols<3>(6) *= keep;
+    P_.middleCols<3>(9) = theta;
+  }
 
   // A white jerk for e, white accelerations for v.
   double jerk = parameters_.jerk;
@@ -134,13 +147,15 @@ void RangeTracker::propagate(double dt, const TrackerStep& step) {
     P_(6 + i, 3 + i) += ve;
   }
   for (int j = 0; j < sources_; ++j) {
-    const bool fixed = format_.sources[static_cast<std::size_t>(j)].fixed;
+    const RangingSource& source = format_.sources[static_cast<std::size_t>(j)];
+    const bool fixed = source.fixed;
     double walk = fixed ? kPlaceWalk + kPlaceTurn * step.source.w_C.norm()
-                        : kOtherPlaceWalk + kOtherPlaceTurn * step.source.turning;
+                        : kOtherPlaceWalk + source.wander * step.source.turning[static_cast<std::size_t>(j)];
     walk = known || fixed ? walk : kUnaidedPlaceWalk;
     for (int i = 0; i < 3; ++i) {
       P_(kMoving + 3 * j + i, kMoving + 3 * j + i) += walk * walk * age;
     }
+    wander_sums_[static_cast<std::size_t>(j)] += walk * walk * age;
   }
 }
 
@@ -214,7 +229,8 @@ void RangeTracker::retreat(const TrackerStep& later) {
     propagate(-dt, later);
   }
   if (aided) {
-    R_CS_ = (geometry::exp_so3(dt * later.source.w_C) * R_CS_ * geometry::exp_so3(-dt * later.board.felt.w_S)).normalized();
+    R_CS_ =
+        (geometry::exp_so3(dt * later.source.w_C) * R_CS_ * geometry::exp_so3(-dt * later.board.felt.w_S)).normalized();
   }
   time_s_ -= dt;
   if (running_ && std::abs(time_s_ - last_update_s_) > (aided ? kForget : kForgetUnaided)) {
@@ -229,6 +245,9 @@ void RangeTracker::turn_round() {
     P_(3 + i, 3 + i) += 0.02 * 0.02;
     P_(6 + i, 6 + i) += 0.1 * 0.1;
   }
+  for (int j = 0; j < sources_; ++j) {
+    set_floating(j);
+  }
   heard_.clear();
 }
 
@@ -242,8 +261,11 @@ void RangeTracker::bound(const TrackerStep& step) {
       remind(6 + i, 0.0, kTetherAcceleration);
     }
   }
-  for (int j = kMoving; j < kMoving + 3 * sources_; ++j) {
-    remind(j, 0.0, kTetherSource);
+  if (time_s_ >= next_source_reminder_s_) {
+    next_source_reminder_s_ = time_s_ + kTetherSources;
+    for (int j = kMoving; j < kMoving + 3 * sources_; ++j) {
+      remind(j, 0.0, kTetherSource);
+    }
   }
   if (aided_) {
     // Whoever stays near the sources is not accelerated away from them for long: mean forces are the same.
@@ -346,7 +368,33 @@ std::optional<RangeTracker::Expectation> RangeTracker::expect(int source, const 
   return e;
 }
 
-void RangeTracker::update(int source, const SourceStep& step, double range, double variance) {
+void RangeTracker::set_floating(int source) {
+  if (source < sources_) {
+    const int n = kFloat + source;
+    x_[n] = 0.0;
+    P_.row(n).setZero();
+    P_.col(n).setZero();
+    P_(n, n) = kFloatSd * kFloatSd;
+  }
+}
+
+void RangeTracker::fix(int source, double value) {
+  if (!running_ || source >= sources_) {
+    return;
+  }
+  const int n = kFloat + source;
+  if (P_(n, n) > 0.0) {
+    const State before = x_;
+    remind(n, value, 1e-5);
+    corrected_by(before);
+    inject();
+  }
+  x_[n] = 0.0;
+  P_.row(n).setZero();
+  P_.col(n).setZero();
+}
+
+void RangeTracker::update(int source, const SourceStep& step, double range, double variance, bool floating) {
   if (!running_ || source >= sources_) {
     return;
   }
@@ -355,14 +403,19 @@ void RangeTracker::update(int source, const SourceStep& step, double range, doub
   Eigen::Matrix<double, 6, 1> h;
   h.head<3>() = to.u;
   h.tail<3>() = to.delay_s * to.u;
-  const State PH = P_.leftCols<6>() * h - P_.middleCols<3>(s) * to.u;
+  State PH = P_.leftCols<6>() * h - P_.middleCols<3>(s) * to.u;
+  if (floating) {
+    PH += P_.col(kFloat + source);
+  }
   const Matrix3d P = P_.topLeftCorner<3, 3>();
   const double across = std::max(0.0, P.trace() - to.u.dot(P * to.u));
   const double bend = std::min(kMostBend, 0.5 * across / to.distance);
-  const double S = h.dot(PH.head<6>()) - to.u.dot(PH.segment<3>(s)) + variance + bend * bend;
+  const double n = floating ? x_[kFloat + source] : 0.0;
+  const double S = h.dot(PH.head<6>()) - to.u.dot(PH.segment<3>(s)) + (floating ? PH[kFloat + source] : 0.0) +
+                   variance + bend * bend;
   const State K = PH / S;
   const State before = x_;
-  x_ += K * (range - to.distance);
+  x_ += K * (range - to.distance - n);
   P_.noalias() -= K * PH.transpose();
   corrected_by(before);
   inject();
@@ -435,7 +488,8 @@ void RangeTracker::start(const SourceStep& step) {
   Vector3d best = receiver_;
   Matrix3d best_P = Matrix3d::Identity() * 0.09;
   double best_cost = INFINITY;
-  // From where the skeleton puts it; else from the place at rest, and from places in front of the body where limbs may be.
+  // From where the skeleton puts it; else from the place at rest, and from places in front of the body where limbs may
+  // be.
   const Vector3d forward = format_.sources.front().normal;
   std::vector<Vector3d> guesses = {board_.place};
   if (!board_.placed) {
@@ -479,6 +533,9 @@ void RangeTracker::start(const SourceStep& step) {
     const bool fixed = format_.sources[static_cast<std::size_t>(j)].fixed;
     const double place = (fixed ? 1.4 : 2.5) * parameters_.placement_sd;
     P_.block<3, 3>(kMoving + 3 * j, kMoving + 3 * j) = place * place * Matrix3d::Identity();
+  }
+  for (int j = 0; j < sources_; ++j) {
+    set_floating(j);
   }
   known_sources_ = true;
   running_ = true;

@@ -27,6 +27,7 @@ struct TrackerStep {
 ///   e  what is wrong with the acceleration that the two boards tell, m/s²; without words the acceleration itself
 ///   θ  what is wrong with the board's orientation R_CS, radians
 ///   s  by source, how far it sits from where SourceMotion takes it for, metres
+///   n  by source, by how much whole cycles are wrong that are counted on, but whose number is not known yet, metres
 /// A board and its microphone are one piece, so that skin which slides under them is felt and does no harm.
 class RangeTracker {
  public:
@@ -55,8 +56,12 @@ class RangeTracker {
   /// Empty before the first ranges. `step`: the slot that the state is at.
   [[nodiscard]] std::optional<Expectation> expect(int source, const SourceStep& step) const;
 
-  /// Takes a range with its variance.
-  void update(int source, const SourceStep& step, double range, double variance);
+  /// Takes a range with its variance; `floating`: its whole cycles are wrong by n.
+  void update(int source, const SourceStep& step, double range, double variance, bool floating = false);
+  /// Begins to count cycles anew: nothing is known of n.
+  void set_floating(int source);
+  /// n has become known; from then on it is none.
+  void fix(int source, double n);
   /// What updates have changed since the last call, as a source at `place` sees it: range, rate, acceleration.
   struct Correction {
     Eigen::Vector3d p = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero(), a = Eigen::Vector3d::Zero();
@@ -68,6 +73,8 @@ class RangeTracker {
   /// For what is dead-reckoned along with this: the integral of jerk² by time until now, and what errors of the
   /// acceleration remember.
   [[nodiscard]] double jerk_sum() const { return jerk_sum_; }
+  /// The same of how far a source wanders, m².
+  [[nodiscard]] double wander_sum(int source) const { return wander_sums_[static_cast<std::size_t>(source)]; }
   static double memory_s();
   static double velocity_walk();
 
@@ -81,7 +88,8 @@ class RangeTracker {
  private:
   static constexpr int kSources = 8;  // at most; further ones are not tracked
   static constexpr int kMoving = 12;
-  static constexpr int kStates = kMoving + 3 * kSources;
+  static constexpr int kFloat = kMoving + 3 * kSources;
+  static constexpr int kStates = kFloat + kSources;
   using State = Eigen::Matrix<double, kStates, 1>;
   using Covariance = Eigen::Matrix<double, kStates, kStates>;
   struct Heard {
@@ -112,7 +120,7 @@ class RangeTracker {
   Eigen::Vector3d a_ = Eigen::Vector3d::Zero(), f_C_ = Eigen::Vector3d::Zero();  // relative, and of the board, in C
   int sources_;
   bool oriented_ = false, aided_ = false, running_ = false, known_sources_ = false;
-  double time_s_ = 0.0, last_update_s_ = 0.0, next_reminder_s_ = 0.0;
+  double time_s_ = 0.0, last_update_s_ = 0.0, next_reminder_s_ = 0.0, next_source_reminder_s_ = 0.0;
   int contradictions_ = 0;
   BoardStep board_;  // at the present slot
   State x_;
@@ -120,6 +128,7 @@ class RangeTracker {
   Correction correction_;
   bool corrected_ = false;
   double jerk_sum_ = 0.0;
+  std::vector<double> wander_sums_;
   std::vector<Heard> heard_;
 };
 

@@ -106,7 +106,10 @@ void SourceMotion::step(int source, double time_s, const std::vector<InertialTra
     step.place = reached(geometry_.sources[s], sources_[s].position);
     if (const Board* board = carrier(geometry_.sources[s])) {
       step.normal = board->turned * sources_[s].normal;
-      step.turning = board->turning;
+    }
+    for (std::size_t i = 0; i < std::min(SourceStep::kSources, geometry_.sources.size()); ++i) {
+      const Board* board = carrier(geometry_.sources[i]);
+      step.turning[i] = board != nullptr ? board->turning : 0.0;
     }
   }
   step.place -= geometry_.reference_place;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <vector>
@@ -20,11 +21,12 @@ struct BoxGeometry {
     int wire = -1;  ///< -1: with C itself.
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
   };
-  int reference = -1;                                          ///< Wire of a board on C's segment; -1: none.
+  int reference = -1;                                         ///< Wire of a board on C's segment; -1: none.
   Eigen::Vector3d reference_place = Eigen::Vector3d::Zero();  ///< Of that board.
-  std::vector<Eigen::Quaterniond> R_CS_rest;                   ///< By wire: board's axes to C.
-  std::vector<std::vector<Link>> boards, sources;              ///< By wire, by source: joint after joint.
-  std::vector<Eigen::Vector3d> board_places;                   ///< By wire.
+  std::vector<Eigen::Quaterniond> R_CS_rest;                  ///< By wire: board's axes to C.
+  std::vector<std::vector<Link>> boards, sources;             ///< By wire, by source: joint after joint.
+  std::vector<bool> complete;                                 ///< By source: every joint's segment has a board.
+  std::vector<Eigen::Vector3d> board_places;                  ///< By wire.
 };
 
 /// What a board did over a slot, and where the skeleton puts it.
@@ -44,7 +46,8 @@ struct SourceStep {
   bool known = false;                               ///< Both of them.
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< Of the source, from the reference board, in C, metres.
   Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
-  double turning = 0.0;  ///< How fast the source's segment turns against C, rad/s.
+  static constexpr std::size_t kSources = 8;
+  std::array<double, kSources> turning{};  ///< How fast the segment of each source turns against C, rad/s.
 };
 
 class SourceMotion {

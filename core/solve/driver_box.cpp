@@ -17,7 +17,9 @@ using Eigen::Vector3d;
 
 constexpr double kTemperature = 22.0;
 constexpr double kHumidity = 0.5;
-constexpr double kReachMargin = 1.05;  // bones longer than the rig's, placement
+constexpr double kReachMargin = 1.05;   // bones longer than the rig's, placement
+constexpr double kWander = 3e-3;        // metres per radian, of a source on a segment whose every joint is followed
+constexpr double kLooseWander = 12e-3;  // of others
 constexpr std::size_t kBlockFrames = 28000;
 
 // The longest way along bones between points on two segments.
@@ -96,7 +98,8 @@ decode::BoxGeometry box_geometry(const body::Rig& rig, const body::Skeleton& ske
     std::vector<decode::BoxGeometry::Link> way;
     const auto add = [&](int turning, int joint_of) {
       const auto beside = wire_on.find(turning);
-      way.push_back({beside != wire_on.end() ? beside->second : -1, to_C(poses[static_cast<std::size_t>(joint_of)].p_WL)});
+      way.push_back(
+          {beside != wire_on.end() ? beside->second : -1, to_C(poses[static_cast<std::size_t>(joint_of)].p_WL)});
     };
     for (std::size_t i = 0; i < up.size() && up[i] != common; ++i) {
       add(up[i + 1], up[i]);
@@ -104,6 +107,7 @@ decode::BoxGeometry box_geometry(const body::Rig& rig, const body::Skeleton& ske
     for (std::size_t i = down.size(); i-- > 0;) {
       add(down[i], down[i]);
     }
+    geometry.complete.push_back(std::all_of(way.begin(), way.end(), [](const auto& link) { return link.wire >= 0; }));
     for (std::size_t i = way.size(); i-- > 1;) {
       way[i - 1].wire = way[i - 1].wire < 0 ? way[i].wire : way[i - 1].wire;
     }
@@ -113,6 +117,7 @@ decode::BoxGeometry box_geometry(const body::Rig& rig, const body::Skeleton& ske
     const int segment = std::max(0, skeleton.find(microphone.segment));
     const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
     geometry.boards.push_back(way_to(segment));
+    geometry.complete.clear();
     geometry.board_places.push_back(to_C(pose.p_WL + pose.R_WL * microphone.p_LS));
   }
   for (const body::Source& source : rig.sources) {
@@ -183,6 +188,10 @@ decode::DriverBoxFormat driver_box_format(const body::Rig& rig, const body::Skel
     common.sources.push_back(source);
   }
   format.geometry = box_geometry(rig, skeleton, poses, reference);
+  for (std::size_t s = 0; s < rig.sources.size(); ++s) {
+    // What a joint does between two segments without a board is not told.
+    common.sources[s].wander = format.geometry.complete[s] ? kWander : kLooseWander;
+  }
   for (const body::Microphone& microphone : rig.microphones) {
     decode::RangingFormat wire = common;
     const int segment = std::max(0, skeleton.find(microphone.segment));

@@ -26,10 +26,9 @@ T need(Result<T> result) {
 
 void row(const std::string& name, const evaluate::RangeStatistics& r) {
   const auto clear = static_cast<double>(std::max<std::int64_t>(1, r.clear));
-  fmt::print(
-      "| {} | {} | {} | {:.1f} | {:.3f} | {:.3f} | {:.1e} | {:.1e} | {:.2f} | {:.2f} | {:.2f} | {:.1e} |\n", name,
-      r.clear, r.accepted, 100.0 * static_cast<double>(r.clear_accepted) / clear, r.median_mm, r.p95_mm, r.slips, r.wrong,
-      100.0 * r.missed_occlusions, 100.0 * r.false_occlusions, r.nis, r.beyond_3_sd);
+  fmt::print("| {} | {} | {} | {:.1f} | {:.3f} | {:.3f} | {:.1e} | {:.1e} | {:.2f} | {:.2f} | {:.2f} | {:.1e} |\n",
+             name, r.clear, r.accepted, 100.0 * static_cast<double>(r.clear_accepted) / clear, r.median_mm, r.p95_mm,
+             r.slips, r.wrong, 100.0 * r.missed_occlusions, 100.0 * r.false_occlusions, r.nis, r.beyond_3_sd);
 }
 
 }  // namespace
@@ -54,32 +53,23 @@ int main(int argc, char** argv) {
     }
   }
   fmt::print(
-      "| take | clear pairs | accepted | of clear, % | median, mm | 95 %, mm | slips | off by > 20 mm | occluded missed, "
-      "% | clear flagged, % | error² / variance | beyond 3 σ |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+      "| take | clear pairs | accepted | of clear, % | median, mm | 95 %, mm | slips | off by > 20 mm | occluded "
+      "missed, "
+      "% | clear flagged, % | error² / variance | beyond 3 σ |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- "
+      "| --- | --- | --- |\n");
   for (const std::string& name : takes) {
     const take::Take take = need(take::open_take(name));
     const evaluate::DriverBoxTruth truth = need(evaluate::load_driver_box_truth(take.folder / "truth.json"));
     const body::DriverBoxSignal& box = take.info.rig.driver_box.value();
-    const evaluate::DriverBoxComparison fresh(
-        truth, take.info.format.rate.hz, box.pulse_hz, solve::ranging_calibration(take.info).speed_of_sound,
-        box.gyroscope_range_rad_s, box.accelerometer_range_g * kStandardGravity);
+    const evaluate::DriverBoxComparison fresh(truth, take.info.format.rate.hz, box.pulse_hz,
+                                              solve::ranging_calibration(take.info).speed_of_sound,
+                                              box.gyroscope_range_rad_s, box.accelerometer_range_g * kStandardGravity);
     std::vector<evaluate::DriverBoxComparison> each(1 + take.info.rig.microphones.size(), fresh);
     const auto report = need(solve::decode_driver_box(
         take, parameters,
         [&](std::span<const decode::RangeReading> ranges, std::span<const decode::InertialReading>) -> Status {
           for (const decode::RangeReading& reading : ranges) {
             each.front().add(reading);
-            if (const char* trace = std::getenv("TRACE"); trace != nullptr && reading.receiver == std::atoi(trace)) {
-              const auto& pulse = truth.pulses[static_cast<std::size_t>(reading.emission.value / 1120)];
-              const auto& pair = pulse.pairs[static_cast<std::size_t>(reading.receiver)];
-              const double sc = truth.speed_of_sound / solve::ranging_calibration(take.info).speed_of_sound;
-              const double r = (pair.range + (reading.emission_time.value - pulse.emission / 140000.0) * pair.rate) / sc;
-              if (pair.loss_db < 12 || reading.verdict == decode::RangeVerdict::kAccepted)
-                fmt::print("T {:7.3f} s{} {:13} r {:.3f} v {:5.2f} loss {:4.1f} ang {:3.0f} snr {:4.1f} env {:7.2f}±{:5.2f} exp {:7.2f}±{:6.2f} acc {:7.2f} str {:.2f} con {:.2f} ph {:6.2f}\n",
-                  reading.emission_time.value, reading.source, decode::name(reading.verdict), r, pair.rate, pair.loss_db, pair.off_axis_deg, reading.snr_db,
-                  1e3*(reading.envelope_range - r), 1e3*std::sqrt(reading.envelope_variance), 1e3*(reading.expected - r), 1e3*std::sqrt(reading.expected_variance), 1e3*(reading.range - r), reading.factors.strength, reading.factors.continuity,
-                  1e3*std::remainder(reading.phase_range - r, truth.speed_of_sound/sc/4e4));
-            }
             if (wires) {
               each[1 + static_cast<std::size_t>(reading.receiver)].add(reading);
             }
