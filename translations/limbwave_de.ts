@@ -1935,14 +1935,6 @@
         <translation>prüfen Sie, ob es die Schnittstelle der Box ist und ob sie eingeschaltet ist</translation>
     </message>
     <message>
-        <source>cannot be written to</source>
-        <translation>lässt sich nicht beschreiben</translation>
-    </message>
-    <message>
-        <source>check the cable</source>
-        <translation>prüfen Sie das Kabel</translation>
-    </message>
-    <message>
         <source>numbers are copied as they lie in memory</source>
         <translation>Zahlen werden so kopiert, wie sie im Speicher liegen</translation>
     </message>
@@ -2161,6 +2153,278 @@
     <message>
         <source>as read</source>
         <translation>wie gelesen</translation>
+    </message>
+    <message>
+        <source>%1 samples were lost because the disk was too slow</source>
+        <translation>%1 Abtastwerte gingen verloren, weil die Platte zu langsam war</translation>
+    </message>
+    <message>
+        <source>is running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>stop it before its schedule is changed</source>
+        <translation>halten Sie sie an, bevor Sie ihre Reihenfolge ändern</translation>
+    </message>
+    <message>
+        <source>refuses the order in which sources are to fire</source>
+        <translation>lehnt die Reihenfolge ab, in der die Quellen senden sollen</translation>
+    </message>
+    <message>
+        <source>check that the rig belongs to this box</source>
+        <translation>prüfen Sie, ob das Rig zu dieser Box gehört</translation>
+    </message>
+    <message>
+        <source>does not start</source>
+        <translation>startet nicht</translation>
+    </message>
+    <message>
+        <source>check the cable, and switch the box off and on</source>
+        <translation>prüfen Sie das Kabel und schalten Sie die Box aus und ein</translation>
+    </message>
+    <message>
+        <source>sound card %1</source>
+        <translation>Soundkarte %1</translation>
+    </message>
+    <message>
+        <source>check that the rig belongs to this card</source>
+        <translation>prüfen Sie, ob das Rig zu dieser Karte gehört</translation>
+    </message>
+    <message>
+        <source>%1 samples were lost: %2</source>
+        <translation>%1 Abtastwerte gingen verloren: %2</translation>
+    </message>
+    <message>
+        <source>the sound card was away; by the computer&apos;s clock</source>
+        <translation>die Soundkarte war fort; nach der Uhr des Rechners</translation>
+    </message>
+    <message>
+        <source>the sound card is back after %1 s</source>
+        <translation>die Soundkarte ist nach %1 s wieder da</translation>
+    </message>
+    <message>
+        <source>no mark is heard from the outputs; delays are as the sound card says, and may be off</source>
+        <translation>von den Ausgängen ist keine Marke zu hören; die Verzögerungen sind die von der Soundkarte genannten und können falsch sein</translation>
+    </message>
+    <message>
+        <source>the sound card left them out</source>
+        <translation>die Soundkarte ließ sie aus</translation>
+    </message>
+    <message>
+        <source>outputs were late by %1 samples and are put right</source>
+        <translation>die Ausgänge waren um %1 Abtastwerte zu spät und sind berichtigt</translation>
+    </message>
+    <message>
+        <source>the sound card does not answer any more; waiting for it</source>
+        <translation>die Soundkarte antwortet nicht mehr; es wird auf sie gewartet</translation>
+    </message>
+    <message>
+        <source>the computer was too slow for the sound card</source>
+        <translation>der Rechner war zu langsam für die Soundkarte</translation>
+    </message>
+    <message>
+        <source>has %1 inputs and %2 outputs, but %3 and %4 are needed</source>
+        <translation>hat %1 Eingänge und %2 Ausgänge, gebraucht werden %3 und %4</translation>
+    </message>
+    <message>
+        <source>use a larger interface, or a rig with fewer boards</source>
+        <translation>benutzen Sie ein größeres Interface oder ein Rig mit weniger Platinen</translation>
+    </message>
+    <message>
+        <source>cannot play and capture at %1 Hz (%2)</source>
+        <translation>kann bei %1 Hz nicht zugleich abspielen und aufnehmen (%2)</translation>
+    </message>
+    <message>
+        <source>check that no other program uses it, and choose a rate that it runs at</source>
+        <translation>prüfen Sie, dass kein anderes Programm sie benutzt, und wählen Sie eine Rate, mit der sie läuft</translation>
+    </message>
+    <message>
+        <source>is not of length 1</source>
+        <translation>hat nicht die Länge 1</translation>
+    </message>
+    <message>
+        <source>is not &quot;body-filter-state&quot;</source>
+        <translation>ist nicht „body-filter-state“</translation>
+    </message>
+    <message>
+        <source>give a file that was saved by --save-state</source>
+        <translation>geben Sie eine Datei an, die mit --save-state gesichert wurde</translation>
+    </message>
+    <message>
+        <source>has not as many entries as the states need</source>
+        <translation>hat nicht so viele Einträge, wie die Zustände brauchen</translation>
+    </message>
+    <message>
+        <source>the saved state is of another rig, skeleton or choice of sensors</source>
+        <translation>der gesicherte Zustand gehört zu einem anderen Rig, Skelett oder anderen Sensoren</translation>
+    </message>
+    <message>
+        <source>resume with what it was saved with</source>
+        <translation>setzen Sie mit dem fort, womit er gesichert wurde</translation>
+    </message>
+    <message>
+        <source>saved state</source>
+        <translation>gesicherter Zustand</translation>
+    </message>
+    <message>
+        <source>is of another skeleton or rig</source>
+        <translation>gehört zu einem anderen Skelett oder Rig</translation>
+    </message>
+    <message>
+        <source>has not seven entries</source>
+        <translation>hat nicht sieben Einträge</translation>
+    </message>
+    <message>
+        <source>the skeleton has no feet that could stand: the root is free</source>
+        <translation>das Skelett hat keine Füße, die stehen könnten: die Wurzel ist frei</translation>
+    </message>
+    <message>
+        <source>give it segments that reach the ground, or solve with another root</source>
+        <translation>geben Sie ihm Segmente, die den Boden erreichen, oder berechnen Sie mit einer anderen Wurzel</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; never stood: its contacts do not hold the root</source>
+        <translation>„%1“ stand nie: seine Kontakte halten die Wurzel nicht</translation>
+    </message>
+    <message>
+        <source>check its sensor, or solve with another root</source>
+        <translation>prüfen Sie seinen Sensor, oder berechnen Sie mit einer anderen Wurzel</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stood %2 times, %3 s in all</source>
+        <translation>„%1“ stand %2-mal, insgesamt %3 s</translation>
+    </message>
+    <message>
+        <source> and &quot;</source>
+        <translation> und „</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 moved in the first second</source>
+        <translation>%1 bewegte sich in der ersten Sekunde</translation>
+    </message>
+    <message>
+        <source>begin with a second of standing still in the rest pose, or start in mid-motion</source>
+        <translation>beginnen Sie mit einer Sekunde Stillstand in der Ruhepose, oder starten Sie mitten in der Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 moved in the first second: the pose at the start is hardly known</source>
+        <translation>%1 bewegte sich in der ersten Sekunde: die Pose am Anfang ist kaum bekannt</translation>
+    </message>
+    <message>
+        <source>begin with a second of standing still in the rest pose</source>
+        <translation>beginnen Sie mit einer Sekunde Stillstand in der Ruhepose</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; feels gravity %2° away from where it should be in the rest pose</source>
+        <translation>„%1“ spürt die Schwerkraft %2° neben der Richtung, die sie in der Ruhepose haben müsste</translation>
+    </message>
+    <message>
+        <source>it is mounted upside down: turn it round, or say so in the rig</source>
+        <translation>er sitzt verkehrt herum: drehen Sie ihn um, oder tragen Sie es im Rig ein</translation>
+    </message>
+    <message>
+        <source>mount it as the rig says, and hold the rest pose</source>
+        <translation>befestigen Sie ihn wie im Rig, und halten Sie die Ruhepose</translation>
+    </message>
+    <message>
+        <source>is of another rig</source>
+        <translation>gehört zu einem anderen Rig</translation>
+    </message>
+    <message>
+        <source>no sensor was heard for %1 from %2 on: the pose was held there</source>
+        <translation>ab %2 war %1 lang kein Sensor zu hören: die Pose wurde dort gehalten</translation>
+    </message>
+    <message>
+        <source>check the box, its cable and its battery</source>
+        <translation>prüfen Sie die Box, ihr Kabel und ihren Akku</translation>
+    </message>
+    <message>
+        <source>%1 was never heard: the filter did without it</source>
+        <translation>%1 war nie zu hören: das Filter kam ohne aus</translation>
+    </message>
+    <message>
+        <source>check its wire and its plug</source>
+        <translation>prüfen Sie Leitung und Stecker</translation>
+    </message>
+    <message>
+        <source>from the start</source>
+        <translation>von Anfang an</translation>
+    </message>
+    <message>
+        <source>from %1 on</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source> until %1</source>
+        <translation> bis %1</translation>
+    </message>
+    <message>
+        <source>%1 was silent %2%3: the filter did without it</source>
+        <translation>%1 schwieg %2%3: das Filter kam ohne aus</translation>
+    </message>
+    <message>
+        <source>%1 gave the same reading %2%3: the filter did without it</source>
+        <translation>%1 gab %2%3 immer denselben Messwert: das Filter kam ohne aus</translation>
+    </message>
+    <message>
+        <source>its chip hangs or is broken: switch it off and on, or replace it</source>
+        <translation>sein Chip hängt oder ist defekt: schalten Sie ihn aus und ein, oder ersetzen Sie ihn</translation>
+    </message>
+    <message>
+        <source>%1 was not heard %2 times for a moment</source>
+        <translation>%1 war %2-mal kurz nicht zu hören</translation>
+    </message>
+    <message>
+        <source>check its plug</source>
+        <translation>prüfen Sie seinen Stecker</translation>
+    </message>
+    <message>
+        <source>%1 sensors feel gravity far from where it is in the rest pose</source>
+        <translation>%1 Sensoren spüren die Schwerkraft weit neben der Richtung in der Ruhepose</translation>
+    </message>
+    <message>
+        <source>begin in the rest pose</source>
+        <translation>beginnen Sie in der Ruhepose</translation>
+    </message>
+    <message>
+        <source>looking for mixed up sensors</source>
+        <translation>Suche nach vertauschten Sensoren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; are exchanged: solved as if each were in the other&apos;s place</source>
+        <translation>„%1“ und „%2“ sind vertauscht: berechnet, als säße jeder am Platz des anderen</translation>
+    </message>
+    <message>
+        <source>exchange them, or their wires, before the next recording</source>
+        <translation>tauschen Sie sie oder ihre Leitungen vor der nächsten Aufnahme</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is mounted the wrong way round: solved as if turned by 180° about its %2 axis</source>
+        <translation>„%1“ sitzt verkehrt: berechnet, als wäre er um 180° um seine %2-Achse gedreht</translation>
+    </message>
+    <message>
+        <source>turn it round, or say so in the rig</source>
+        <translation>drehen Sie ihn um, oder tragen Sie es im Rig ein</translation>
+    </message>
+    <message>
+        <source>the root&apos;s place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)</source>
+        <translation>der Ort der Wurzel ist am Ende um %1 m über dem Boden und %2 m in der Höhe unsicher (1 σ)</translation>
+    </message>
+    <message>
+        <source>choose --root contacts for somebody who walks, or give the root&apos;s path</source>
+        <translation>wählen Sie --root contacts für jemanden, der geht, oder geben Sie den Weg der Wurzel an</translation>
+    </message>
+    <message>
+        <source>a smoother looks to both sides and cannot resume</source>
+        <translation>ein Glätter sieht in beide Richtungen und kann nicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>choose the filter</source>
+        <translation>wählen Sie das Filter</translation>
     </message>
 </context>
 <context>
@@ -3509,6 +3773,10 @@
         <source>Calibrate from a stretch of a take in which sensors were turned or poses held</source>
         <translation>Aus einem Abschnitt eines Takes kalibrieren, in dem Sensoren gedreht oder Posen gehalten wurden</translation>
     </message>
+    <message>
+        <source> What the take does not carry, its solve took from the take&apos;s own calibration movements or from the library.</source>
+        <translation> Was der Take nicht mitbringt, nahm die Berechnung aus seinen eigenen Kalibrierbewegungen oder aus der Bibliothek.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CalibrateWorkspace</name>
@@ -3571,6 +3839,14 @@
     <message>
         <source>Learn how sensors are calibrated</source>
         <translation>So werden Sensoren kalibriert</translation>
+    </message>
+    <message>
+        <source>This take needs no calibration by hand</source>
+        <translation>Dieser Take braucht keine Kalibrierung von Hand</translation>
+    </message>
+    <message>
+        <source>The body filter estimates offsets, mountings and lengths while it solves. Begin takes with a second of standing still in the rest pose.</source>
+        <translation>Das Körperfilter schätzt Nullpunkte, Befestigungen und Längen bei der Berechnung. Beginnen Sie Takes mit einer Sekunde Stillstand in der Ruhepose.</translation>
     </message>
 </context>
 <context>
@@ -4917,6 +5193,10 @@
         <source>turn %1 live</source>
         <translation>%1 live drehen</translation>
     </message>
+    <message>
+        <source>The turns of bones are not kept</source>
+        <translation>Die Drehungen der Knochen werden nicht behalten</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::LiveModel</name>
@@ -5961,6 +6241,10 @@
         <source>Used: %1</source>
         <translation>Benutzt: %1</translation>
     </message>
+    <message>
+        <source>By the body filter, forward and backward, from all sensors. Other choices of sensors and of the root are made by the command line: limbwave solve.</source>
+        <translation>Mit dem Körperfilter, vorwärts und rückwärts, aus allen Sensoren. Andere Sensoren und andere Wurzeln wählt man auf der Befehlszeile: limbwave solve.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ShortcutSheet</name>
@@ -6186,10 +6470,6 @@
         <translation>Live von %1: %2</translation>
     </message>
     <message>
-        <source>%1 of motion, %2 frames at %3 Hz, smoothing: %4</source>
-        <translation>%1 Bewegung, %2 Bilder mit %3 Hz, Glättung: %4</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
@@ -6212,6 +6492,14 @@
     <message>
         <source>%1   %2</source>
         <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>%1 of motion, %2 frames at %3 Hz</source>
+        <translation>%1 Bewegung, %2 Bilder mit %3 Hz</translation>
+    </message>
+    <message>
+        <source>%1, smoothing: %2</source>
+        <translation>%1, Glättung: %2</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "evaluate/driver_box_evaluation.h"
 #include "evaluate/evaluate.h"
+#include "evaluate/radio_ranges.h"
 #include "solve/driver_box.h"
 #include "solve/solve.h"
 #include "take/take.h"
@@ -93,15 +94,45 @@ void evaluate_driver_box(const take::Take& take, const std::string& method, cons
                             seconds / report.seconds));
 }
 
+// Recordings of radio ranging against their optical truth.
+void evaluate_radio_ranges(const std::string& folder, const std::string* json_file, Console& console) {
+  const auto recordings = console.check(evaluate::load_radio_recordings(folder));
+  nlohmann::json json = nlohmann::json::object();
+  for (const evaluate::RadioRecording& recording : recordings) {
+    const evaluate::RadioStatistics s =
+        evaluate::evaluate_radio(recording, evaluate::radio_parameters(recording), 0, recording.rows.size());
+    json["radio_ranges"][recording.name] = evaluate::radio_to_json(s);
+    if (json_file != nullptr) {
+      continue;
+    }
+    console.print(
+        fmt::format("{}: {} ranges, {} accepted ({:.2f} %)", recording.name, s.count, s.accepted,
+                    100.0 * static_cast<double>(s.accepted) / std::max<double>(1.0, static_cast<double>(s.count))));
+    console.print(fmt::format("  as measured  error median {:.0f} mm, sd {:.0f} mm, 95 % {:.0f} mm, largest {:.0f} mm",
+                              s.raw_median_mm, s.raw_sd_mm, s.raw_p95_mm, s.raw_max_mm));
+    console.print(fmt::format("  accepted     error median {:.0f} mm, sd {:.0f} mm, 95 % {:.0f} mm, largest {:.0f} mm",
+                              s.median_mm, s.sd_mm, s.p95_mm, s.max_mm));
+    console.print(
+        fmt::format("  error over its standard deviation {:.2f} RMS; of {} ranges off by more than 0.5 m {} accepted",
+                    s.normalised_rms, s.outliers, s.outliers_accepted));
+    console.print(fmt::format("  tags placed within {:.0f} mm (median, horizontally)", s.place_median_mm));
+  }
+  if (json_file != nullptr) {
+    console.print_json(json, *json_file);
+  }
+}
+
 }  // namespace
 
 void add_evaluate(CLI::App& app, Console& console) {
   struct Options {
-    std::string take, solve = "default", truth, json, method = "carrier";
+    std::string take, solve = "default", truth, json, method = "carrier", ranges;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("evaluate", "Compare a solve with the truth");
-  command->add_option("TAKE", options->take, "Folder of the take")->required();
+  CLI::Option* take_option = command->add_option("TAKE", options->take, "Folder of the take");
+  command->add_option("--ranges", options->ranges, "Instead of a take: folder of radio ranges with optical truth")
+      ->excludes(take_option);
   command->add_option("--solve", options->solve, "Name of the solve")->capture_default_str();
   command->add_option("--truth", options->truth, "Truth as CSV; otherwise the take's truth.json");
   command->add_option("--ranging", options->method, "How ranges of a driver box are decoded: paper, envelope, carrier")
@@ -109,7 +140,14 @@ void add_evaluate(CLI::App& app, Console& console) {
       ->capture_default_str();
   add_json_option(*command, options->json, "Write the figures as JSON");
   command->footer("Example: limbwave evaluate reach.take --json errors.json");
-  command->callback([options, command, &console] {
+  command->callback([options, command, take_option, &console] {
+    if (!options->ranges.empty()) {
+      evaluate_radio_ranges(options->ranges, command->count("--json") > 0 ? &options->json : nullptr, console);
+      return;
+    }
+    if (take_option->count() == 0) {
+      throw CLI::RequiredError("TAKE");
+    }
     const take::Take take = console.check(take::open_take(options->take));
     if (take.info.kind == "driver-box" && options->truth.empty()) {
       evaluate_driver_box(take, options->method, options->solve, command->count("--solve") > 0,

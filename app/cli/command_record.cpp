@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "acquire/driver_box.h"
+#include "acquire/driver_box_card.h"
 #include "acquire/sound_card.h"
 #include "commands.h"
 #include "simulate/simulate.h"
@@ -21,10 +22,13 @@ namespace {
 constexpr std::string_view kSimulator = "simulator:";
 constexpr const char* kLineInRig = "line-in-arm";
 constexpr const char* kBoxRig = "driver-box-body";
+constexpr std::string_view kSoundCard = "portaudio:";
+constexpr const char* kClient = "limbwave";  // among JACK's
+constexpr double kCardRate = 192000.0;
 
 struct Options {
   std::string take, device = "default", driver_box, rig, subject, type = "int16", errors = "paper";
-  double rate = 48000.0, seconds = 0.0;
+  double rate = 48000.0, seconds = 0.0, temperature = 22.0, humidity = 50.0;
   std::string json;
 };
 
@@ -115,13 +119,37 @@ void record(const Options& options, bool as_json, Console& console) {
   }
 }
 
-void record_box(const Options& options, bool as_json, Console& console) {
-  const body::Rig rig = console.check(body::load_rig(options.rig.empty() ? kBoxRig : options.rig));
+// A serial port, or a sound card that plays the box.
+std::unique_ptr<acquire::BoxSource> open_box(const Options& options, bool rate_given, body::Rig& rig,
+                                             Console& console) {
+  if (!options.driver_box.starts_with(kSoundCard)) {
+    return console.check(acquire::DriverBox::open(options.driver_box));
+  }
+  rig = take::rig_at_rate(std::move(rig), rate_given ? options.rate : kCardRate);
+  if (!rig.driver_box) {
+    console.fail({"has no driver box", "rig \"" + rig.name + "\"", "use driver-box-body or another with a driver box"});
+  }
+  acquire::CardBoxSettings settings;
+  settings.rate_hz = rig.driver_box->rate_hz;
+  settings.wires = static_cast<int>(rig.microphones.size());
+  settings.sources = static_cast<int>(rig.sources.size());
+  settings.slot_samples = rig.driver_box->slot_samples;
+  settings.pulse_hz = rig.driver_box->pulse_hz;
+  settings.pulse_cycles = rig.driver_box->pulse_cycles;
+  settings.client = kClient;
+  return console.check(acquire::open_card_box(options.driver_box, settings));
+}
+
+void record_box(const Options& options, bool rate_given, bool as_json, Console& console) {
+  body::Rig rig = console.check(body::load_rig(options.rig.empty() ? kBoxRig : options.rig));
   const body::Skeleton skeleton = console.check(body::load_skeleton(rig.skeleton));
-  const auto box = console.check(acquire::DriverBox::open(options.driver_box));
+  const auto box = open_box(options, rate_given, rig, console);
+  calibrate::RangingCalibration ranging;
+  ranging.method = "nominal";
+  ranging.speed_of_sound = calibrate::speed_of_sound(options.temperature, options.humidity / 100.0);
   const Progress bar = console.progress();
   const take::Take take = console.check(take::record_driver_box(
-      options.take, *box, rig, skeleton, options.subject, [&](const take::DriverBoxProgress& now) {
+      options.take, *box, rig, skeleton, options.subject, ranging, [&](const take::DriverBoxProgress& now) {
         (void)bar.report(
             options.seconds > 0.0 ? now.seconds / options.seconds : 0.0,
             fmt::format("{:.1f} s, disk lasts {:.0f} min, {}", now.seconds, now.disk_left_s / 60.0,
@@ -159,7 +187,12 @@ void add_record(CLI::App& app, Console& console) {
   command->add_option("TAKE", options->take, "Folder to make")->required();
   command->add_option("--device", options->device, "As `limbwave devices` lists it, \"default\", or simulator:MOTION")
       ->capture_default_str();
-  command->add_option("--driver-box", options->driver_box, "Serial port of a driver box, instead of a sound card")
+  command
+      ->add_option(
+          "--driver-box", options->driver_box,
+          "Serial port of a driver box, or a sound card that serves as one: microphones on its inputs, sources "
+          "on its outputs, and a cable from the output after the last source to the input after the last "
+          "microphone")
       ->excludes("--device");
   command->add_option("--rig", options->rig,
                       "Rig: a name or a file; line-in-arm or, with a driver box, driver-box-body");
@@ -167,8 +200,14 @@ void add_record(CLI::App& app, Console& console) {
   command->add_option("--seconds", options->seconds, "Stop after this time; 0: at Ctrl-C")
       ->check(CLI::Range(0.0, 864000.0))
       ->capture_default_str();
-  command->add_option("--rate", options->rate, "Samples a second")
+  command->add_option("--rate", options->rate, "Samples a second; of a sound card as a driver box 192000 unless given")
       ->check(CLI::Range(44100.0, 192000.0))
+      ->capture_default_str();
+  command->add_option("--temperature", options->temperature, "Of the air, °C: the speed of sound of a driver box")
+      ->check(CLI::Range(-30.0, 60.0))
+      ->capture_default_str();
+  command->add_option("--humidity", options->humidity, "Relative, of the air, per cent")
+      ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   command->add_option("--type", options->type, "Sample type")
       ->check(CLI::IsMember({"int16", "int24", "int32", "float32"}))
@@ -178,7 +217,8 @@ void add_record(CLI::App& app, Console& console) {
   add_json_option(*command, options->json, "Write what was recorded as JSON");
   command->callback([options, command, &console] {
     const bool as_json = command->count("--json") > 0;
-    options->driver_box.empty() ? record(*options, as_json, console) : record_box(*options, as_json, console);
+    options->driver_box.empty() ? record(*options, as_json, console)
+                                : record_box(*options, command->count("--rate") > 0, as_json, console);
   });
 }
 

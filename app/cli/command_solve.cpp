@@ -17,7 +17,7 @@ void add_solve(CLI::App& app, Console& console) {
     solve::SolveSettings settings;
     std::string left = "auto", right = "auto";
     double coupling = -1.0;
-    std::string json;
+    std::string json, start = "any", save_state, resume;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("solve", "Turn the signals of a take into a moving skeleton");
@@ -33,9 +33,10 @@ void add_solve(CLI::App& app, Console& console) {
       ->check(CLI::IsMember({"inclination", "filter", "smoother"}))
       ->capture_default_str();
   command
-      ->add_option("--root", options->root,
-                   "fixed: the root stays where it is; free: by gravity and the sensors alone; truth: as simulated; or "
-                   "a CSV file with its path")
+      ->add_option(
+          "--root", options->root,
+          "fixed: the root stays where it is; contacts: by feet that stand on the ground; free: by gravity and "
+          "the sensors alone; truth: as simulated; or a CSV file with its path")
       ->capture_default_str();
   command
       ->add_option(
@@ -63,6 +64,14 @@ void add_solve(CLI::App& app, Console& console) {
       ->check(CLI::IsMember({"auto", "normal", "inverted"}))
       ->capture_default_str();
   command->add_option("--name", options->settings.name, "Name of the solve within the take")->capture_default_str();
+  command
+      ->add_option("--start", options->start,
+                   "any: from rest where there is rest; rest: refuse a wearer who was not still in the first second; "
+                   "moving: in mid-motion")
+      ->check(CLI::IsMember({"any", "rest", "moving"}))
+      ->capture_default_str();
+  command->add_option("--save-state", options->save_state, "Save the filter's last state, to resume from");
+  command->add_option("--resume", options->resume, "Resume from a saved state: the take is the next part of one");
   add_json_option(*command, options->json, "Write the quality report as JSON");
   command->footer("Example: limbwave solve reach.take --smoothing adaptive --name final");
   command->callback([options, command, &console] {
@@ -77,10 +86,6 @@ void add_solve(CLI::App& app, Console& console) {
     settings.line_in.right = polarity(options->right);
     if (options->coupling >= 0.0) {
       settings.line_in.coupling_hz = options->coupling;
-    }
-    if (options->root == "contacts") {
-      console.fail({"does not find out yet where feet stand", "--root contacts",
-                    "choose fixed, free, truth or a CSV file with the root's path"});
     }
     const take::Take take = console.check(take::open_take(options->take));
     if (options->method == "inclination" && (options->sensors != "A" || options->root != "fixed")) {
@@ -98,11 +103,17 @@ void add_solve(CLI::App& app, Console& console) {
     }
     const auto solved = [&] {
       if (options->method == "inclination") {
+        settings.headings = solve::known_headings(take, settings.name);  // The user's own; nothing else knows them.
         return solve::solve_take(take, settings, console.progress());
       }
       solve::BodySolveSettings body{settings.name, options->sensors, options->method == "smoother", options->root};
       body.sensors = command->count("--sensors") > 0 ? options->sensors : "AGD";
       body.root = command->count("--root") > 0 ? options->root : "free";
+      body.start = options->start == "rest"     ? estimate::StartMode::kRest
+                   : options->start == "moving" ? estimate::StartMode::kMoving
+                                                : estimate::StartMode::kAny;
+      body.save_state = options->save_state;
+      body.resume = options->resume;
       return solve::solve_sensors(take, body, console.progress());
     };
     const solve::Solve solve = console.check(solved());

@@ -14,6 +14,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -22,7 +25,23 @@ namespace {
 
 using acquire::PacketKind;
 
-constexpr double kMemory = 1.0;  // seconds of blocks that the box keeps when the line does not take them
+constexpr double kMemory = 1.0;       // seconds of blocks that the box keeps when the line does not take them
+constexpr std::int64_t kKernel = 32;  // blocks that the terminal itself may hold
+
+struct FaultKind {
+  const char *name, *argument, *text;
+};
+constexpr FaultKind kFaults[] = {
+    {"lose", "[N]", "the next N blocks (1) never reach the line"},
+    {"corrupt", "[N]", "three bytes of each of the next N blocks (1) arrive changed"},
+    {"duplicate", "", "the next block comes twice"},
+    {"reorder", "", "the next two blocks come in the wrong order"},
+    {"pull", "WIRE", "a board's wire (1, 2, ...) is pulled out: silence until it is plugged in"},
+    {"plug", "WIRE", "the wire is plugged in again"},
+    {"stall", "SECONDS", "nothing comes for so long; the box keeps one second and loses the rest"},
+    {"unplug", "SECONDS", "the cable to the computer is out for so long; the box goes on counting"},
+    {"reboot", "SECONDS", "the box is off for so long, and has then forgotten everything"},
+};
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -30,8 +49,43 @@ double now_s() {
 
 }  // namespace
 
-Emulator::Emulator(acquire::BoxHello hello, EmulatorSettings settings, Samples samples)
-    : hello_(std::move(hello)), settings_(std::move(settings)), samples_(std::move(samples)), random_(settings_.seed) {}
+std::string fault_help() {
+  std::string text;
+  for (const FaultKind& fault : kFaults) {
+    text += fmt::format("  {:<16} {}\n", fmt::format("{} {}", fault.name, fault.argument), fault.text);
+  }
+  return text + "  help             lists these\n";
+}
+
+Result<std::vector<TimedFault>> load_faults(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) {
+    return Error{"cannot be read", file, "check the path"};
+  }
+  std::vector<TimedFault> faults;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    line = line.substr(0, line.find('#'));
+    std::istringstream words(line);
+    TimedFault fault;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) {
+      continue;
+    }
+    if (!(words >> fault.at_s) || !std::getline(words >> std::ws, fault.command) ||
+        (!faults.empty() && fault.at_s < faults.back().at_s)) {
+      return Error{"is no fault", fmt::format("{}:{}", file, number), "write \"SECONDS FAULT\", in order of time"};
+    }
+    faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+Emulator::Emulator(acquire::BoxHello hello, EmulatorSettings settings, Samples samples, Schedule schedule)
+    : hello_(std::move(hello)),
+      settings_(std::move(settings)),
+      samples_(std::move(samples)),
+      schedule_(std::move(schedule)),
+      random_(settings_.seed) {}
 
 Emulator::~Emulator() {
   close();
@@ -75,6 +129,15 @@ Status Emulator::open() {
 }
 
 void Emulator::close() {
+  // What was not sent, and what the terminal may still have held, may not have arrived.
+  std::int64_t unsent = frame_;
+  for (const Waiting& waiting : waiting_) {
+    unsent = waiting.first >= 0 ? std::min(unsent, waiting.first) : unsent;
+  }
+  if (running_ && master_ >= 0) {
+    unsent = std::max<std::int64_t>(0, unsent - kKernel * settings_.block_frames);
+    log("unsent", unsent, frame_ - unsent);
+  }
   for (int* descriptor : {&master_, &slave_}) {
     if (*descriptor >= 0) {
       ::close(*descriptor);
@@ -82,7 +145,7 @@ void Emulator::close() {
     }
   }
   waiting_.clear();
-  held_back_.clear();
+  held_back_ = {};
   written_ = 0;
 }
 
@@ -95,8 +158,26 @@ void Emulator::log(const std::string& kind, std::int64_t first, std::int64_t fra
 
 void Emulator::send(PacketKind kind, const std::vector<std::byte>& body) {
   if (master_ >= 0) {
-    waiting_.push_back(acquire::write_packet(kind, sequence_++, body));
+    waiting_.push_back({acquire::write_packet(kind, sequence_++, body), -1});
   }
+}
+
+void Emulator::begin() {
+  // Blocks of an earlier run are forgotten, but for one that is half on the line.
+  const std::size_t keep = written_ > 0 ? 1 : 0;
+  for (std::size_t i = waiting_.size(); i-- > keep;) {
+    if (waiting_[i].first >= 0) {
+      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  held_back_ = {};
+  running_ = true;
+  from_start_ = true;
+  frame_ = 0;
+  overruns_ = 0;
+  started_s_ = now_s();
+  next_status_s_ = started_s_;
+  first_start_s_ = first_start_s_ < 0.0 ? started_s_ : first_start_s_;
 }
 
 void Emulator::answer(const acquire::Packet& packet) {
@@ -106,21 +187,19 @@ void Emulator::answer(const acquire::Packet& packet) {
       send(PacketKind::kHello, acquire::hello_body(hello_));
       return;
     case PacketKind::kStart:
-      running_ = true;
-      from_start_ = true;
-      frame_ = 0;
-      overruns_ = 0;
-      started_s_ = now_s();
-      next_status_s_ = started_s_;
+      begin();
       break;
     case PacketKind::kStop:
       running_ = false;
       break;
     case PacketKind::kSchedule: {
       const auto schedule = acquire::read_schedule(packet.body);
-      done = schedule && !running_;
+      done = schedule && !running_ &&
+             std::all_of(schedule->begin(), schedule->end(),
+                         [&](int source) { return source < hello_.sources || source == acquire::kSilentSlot; }) &&
+             schedule_(*schedule);
       if (done) {
-        schedule_ = *schedule;
+        hello_.schedule = *schedule;
       }
       break;
     }
@@ -175,7 +254,15 @@ bool Emulator::command(const std::string& line) {
     if (what == "reboot") {
       running_ = false;
       ++hello_.session;
+      if (!hello_.schedule.empty()) {
+        hello_.schedule.clear();
+        std::vector<std::uint8_t> own(static_cast<std::size_t>(hello_.sources));
+        std::iota(own.begin(), own.end(), std::uint8_t{0});
+        (void)schedule_(own);
+      }
     }
+  } else if (what == "help") {
+    std::fputs(fault_help().c_str(), stderr);
   } else {
     return false;
   }
@@ -189,6 +276,16 @@ void Emulator::own_fault(double now) {
       it = plug_again_.erase(it);
     } else {
       ++it;
+    }
+  }
+  for (; first_start_s_ >= 0.0 && next_timed_ < settings_.faults.size() &&
+         settings_.faults[next_timed_].at_s <= now - first_start_s_;
+       ++next_timed_) {
+    if (!command(settings_.faults[next_timed_].command)) {
+      std::fputs(fmt::format("limbwave-driver-box-emulator: {}: is no fault; help lists them\n",
+                             settings_.faults[next_timed_].command)
+                     .c_str(),
+                 stderr);
     }
   }
   if (settings_.faults_every_s <= 0.0 || !running_ || now < next_fault_s_) {
@@ -263,15 +360,19 @@ void Emulator::make_block() {
     log("lost", block.first, block.frames);
     return;
   }
-  std::vector<std::byte> packet = acquire::write_packet(PacketKind::kBlock, sequence_++, acquire::block_body(block));
+  Waiting packet{acquire::write_packet(PacketKind::kBlock, sequence_++, acquire::block_body(block)), block.first};
   if (corrupt_ > 0) {
     --corrupt_;
-    for (int i = 0; i < 3; ++i) {
-      packet[random_() % packet.size()] ^= static_cast<std::byte>(1U + random_() % 255U);
+    std::set<std::size_t> places;
+    while (places.size() < 3) {
+      places.insert(random_() % packet.packet.size());
+    }
+    for (const std::size_t place : places) {
+      packet.packet[place] ^= static_cast<std::byte>(1U + random_() % 255U);
     }
     log("lost", block.first, block.frames);
   }
-  if (reorder_ && held_back_.empty()) {
+  if (reorder_ && held_back_.packet.empty()) {
     reorder_ = false;
     log("reorder", block.first, block.frames);
     held_back_ = std::move(packet);
@@ -283,15 +384,14 @@ void Emulator::make_block() {
     waiting_.push_back(packet);
   }
   waiting_.push_back(std::move(packet));
-  if (!held_back_.empty()) {
-    waiting_.push_back(std::move(held_back_));
-    held_back_.clear();
+  if (!held_back_.packet.empty()) {
+    waiting_.push_back(std::exchange(held_back_, {}));
   }
 }
 
 void Emulator::flush() {
   while (master_ >= 0 && !waiting_.empty()) {
-    const std::vector<std::byte>& packet = waiting_.front();
+    const std::vector<std::byte>& packet = waiting_.front().packet;
     const ssize_t put = ::write(master_, packet.data() + written_, packet.size() - written_);
     if (put <= 0) {
       return;
@@ -301,6 +401,26 @@ void Emulator::flush() {
       waiting_.pop_front();
       written_ = 0;
     }
+  }
+}
+
+// Lines on standard input.
+void Emulator::obey(int& input) {
+  char text[256];
+  const ssize_t got = ::read(input, text, sizeof text);
+  if (got <= 0) {
+    input = -1;
+  }
+  for (ssize_t i = 0; i < got; ++i) {
+    if (text[i] != '\n') {
+      input_line_ += text[i];
+      continue;
+    }
+    if (!input_line_.empty() && !command(input_line_)) {
+      std::fputs(fmt::format("limbwave-driver-box-emulator: {}: is no fault; help lists them\n", input_line_).c_str(),
+                 stderr);
+    }
+    input_line_.clear();
   }
 }
 
@@ -337,22 +457,8 @@ Status Emulator::run(const std::function<bool()>& stop, int input) {
         {master_, static_cast<short>(POLLIN | (waiting_.empty() || now < stalled_until_s_ ? 0 : POLLOUT)), 0},
         {input, POLLIN, 0}};
     ::poll(waits, 2, 1);
-    if (input >= 0 && (waits[1].revents & POLLIN) != 0) {
-      char text[256];
-      const ssize_t got = ::read(input, text, sizeof text);
-      if (got <= 0) {
-        input = -1;
-      }
-      for (ssize_t i = 0; i < got; ++i) {
-        if (text[i] != '\n') {
-          input_line_ += text[i];
-          continue;
-        }
-        if (!input_line_.empty() && !command(input_line_)) {
-          std::fputs(fmt::format("limbwave-driver-box-emulator: {}: is no fault\n", input_line_).c_str(), stderr);
-        }
-        input_line_.clear();
-      }
+    if (input >= 0 && (waits[1].revents & (POLLIN | POLLHUP)) != 0) {
+      obey(input);
     }
   }
   return {};

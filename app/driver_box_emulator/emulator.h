@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <deque>
 #include <functional>
 #include <random>
@@ -15,20 +16,34 @@ namespace limbwave::emulator {
 
 /// Fills `frames` · wires interleaved samples with what comes next; begins anew when `from_start`.
 using Samples = std::function<void(std::vector<std::int16_t>& out, int frames, bool from_start)>;
+/// Which source fires in which slot, from the next start on; false where that cannot be.
+using Schedule = std::function<bool(const std::vector<std::uint8_t>& schedule)>;
+
+/// A fault that happens by itself, so long after the first start.
+struct TimedFault {
+  double at_s = 0.0;
+  std::string command;
+};
+
+/// What `Emulator::command` understands, for people.
+std::string fault_help();
+/// Lines "SECONDS FAULT", empty ones and comments behind # aside. Fails with file and line.
+Result<std::vector<TimedFault>> load_faults(const std::string& file);
 
 struct EmulatorSettings {
   std::string link;  ///< A symbolic link that always leads to the present terminal; empty: none.
   std::string log;   ///< A file that tells every fault, one JSON object a line; empty: none.
   int block_frames = 280;
-  double speed = 1.0;           ///< Times real time.
-  double seconds = 0.0;         ///< Ends after so long; 0: never.
-  double faults_every_s = 0.0;  ///< Mean time between faults of its own; 0: none.
+  double speed = 1.0;              ///< Times real time.
+  double seconds = 0.0;            ///< Ends after so long; 0: never.
+  double faults_every_s = 0.0;     ///< Mean time between faults of its own; 0: none.
+  std::vector<TimedFault> faults;  ///< In order of time.
   std::uint64_t seed = 1;
 };
 
 class Emulator {
  public:
-  Emulator(acquire::BoxHello hello, EmulatorSettings settings, Samples samples);
+  Emulator(acquire::BoxHello hello, EmulatorSettings settings, Samples samples, Schedule schedule);
   ~Emulator();
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
@@ -40,14 +55,15 @@ class Emulator {
   /// (see `command`) are read from `input`, a file descriptor; below 0: none.
   Status run(const std::function<bool()>& stop, int input);
 
-  /// A fault: "lose [n]", "corrupt [n]", "duplicate", "reorder", "pull WIRE", "plug WIRE", "stall SECONDS",
-  /// "unplug SECONDS", "reboot SECONDS". False when it is none of these.
+  /// A fault, as `fault_help` lists them. False when it is none.
   bool command(const std::string& line);
 
  private:
   void hear();
   void answer(const acquire::Packet& packet);
   void send(acquire::PacketKind kind, const std::vector<std::byte>& body);
+  void begin();
+  void obey(int& input);
   void make_block();
   void flush();
   void own_fault(double now);
@@ -57,6 +73,7 @@ class Emulator {
   acquire::BoxHello hello_;
   EmulatorSettings settings_;
   Samples samples_;
+  Schedule schedule_;
   std::string path_;
   int master_ = -1, slave_ = -1;
   std::FILE* log_ = nullptr;
@@ -66,19 +83,23 @@ class Emulator {
   std::int64_t frame_ = 0;  // of the next block
   double started_s_ = 0.0;  // when frame 0 was due
   std::uint64_t connected_ = ~std::uint64_t{0};
-  std::vector<std::uint8_t> schedule_;
-  std::deque<std::vector<std::byte>> waiting_;  // packets for the line
-  std::size_t written_ = 0;                     // of the first one
+  struct Waiting {
+    std::vector<std::byte> packet;
+    std::int64_t first = -1;  // of a block
+  };
+  std::deque<Waiting> waiting_;  // for the line
+  std::size_t written_ = 0;      // of the first one
   std::uint32_t overruns_ = 0;
   int lose_ = 0, corrupt_ = 0;
   bool duplicate_ = false, reorder_ = false;
-  std::vector<std::byte> held_back_;
+  Waiting held_back_;
   double stalled_until_s_ = -1.0, unplugged_until_s_ = -1.0;
   double next_status_s_ = 0.0, next_fault_s_ = 0.0;
+  double first_start_s_ = -1.0;
+  std::size_t next_timed_ = 0;  // of the settings' faults
   std::vector<std::pair<double, int>> plug_again_;
   std::mt19937_64 random_;
   std::string input_line_;
-  std::vector<std::int16_t> block_;
 };
 
 }  // namespace limbwave::emulator

@@ -31,8 +31,9 @@ void interrupt(int /*signal*/) {
 }
 
 struct Options {
-  std::string motion = "walk", rig = "driver-box-body", errors = "paper", take;
+  std::string motion = "walk", rig = "driver-box-body", errors = "paper", take, faults;
   std::uint64_t seed = 1;
+  int threads = 2;
   limbwave::emulator::EmulatorSettings settings;
 };
 
@@ -51,6 +52,12 @@ class Maker {
   }
   Maker(const Maker&) = delete;
   Maker& operator=(const Maker&) = delete;
+
+  /// What is made from now on differs from what has been made ahead.
+  void forget() {
+    const std::lock_guard lock(mutex_);
+    used_ = true;
+  }
 
   void get(std::vector<std::int16_t>& out, std::size_t count, bool from_start) {
     std::unique_lock lock(mutex_);
@@ -102,7 +109,18 @@ class Maker {
   std::thread thread_;  // last: it uses the others
 };
 
-Result<Maker::Make> simulated(const Options& options, limbwave::acquire::BoxHello& hello) {
+// Sources by slot, as the maker's thread finds them when it begins anew.
+struct Scheduled {
+  std::mutex mutex;
+  std::vector<std::uint8_t> schedule;
+};
+
+struct Supply {
+  Maker::Make make;
+  limbwave::emulator::Schedule schedule;
+};
+
+Result<Supply> simulated(const Options& options, limbwave::acquire::BoxHello& hello) {
   const auto rig = limbwave::body::load_rig(options.rig);
   if (!rig) {
     return rig.error();
@@ -127,9 +145,22 @@ Result<Maker::Make> simulated(const Options& options, limbwave::acquire::BoxHell
   hello.slot_samples = rig->driver_box->slot_samples;
   hello.pulse_hz = static_cast<float>(rig->driver_box->pulse_hz);
   auto stream = std::make_shared<std::unique_ptr<limbwave::simulate::DriverBoxStream>>();
-  return Maker::Make([=, rig = *rig, actor = *actor, errors = *errors, seed = options.seed](bool from_start) {
+  auto scheduled = std::make_shared<Scheduled>();
+  Supply supply;
+  supply.schedule = [scheduled](const std::vector<std::uint8_t>& schedule) {
+    const std::lock_guard lock(scheduled->mutex);
+    scheduled->schedule = schedule;
+    return true;
+  };
+  supply.make = [=, rig = *rig, actor = *actor, errors = *errors, seed = options.seed,
+                 threads = options.threads](bool from_start) {
     if (from_start || !*stream) {
       *stream = std::make_unique<limbwave::simulate::DriverBoxStream>(rig, actor, errors, 22.0, seed);
+      (*stream)->set_threads(threads);
+      const std::lock_guard lock(scheduled->mutex);
+      if (!scheduled->schedule.empty()) {
+        (*stream)->set_schedule(scheduled->schedule);
+      }
     }
     std::vector<std::int16_t> slot(static_cast<std::size_t>((*stream)->slot_samples() * (*stream)->wires()));
     (*stream)->next_slot(slot);
@@ -138,11 +169,12 @@ Result<Maker::Make> simulated(const Options& options, limbwave::acquire::BoxHell
       (void)(*stream)->take_frames(w);
     }
     return slot;
-  });
+  };
+  return supply;
 }
 
 // A recorded take, again and again.
-Result<Maker::Make> recorded(const Options& options, limbwave::acquire::BoxHello& hello) {
+Result<Supply> recorded(const Options& options, limbwave::acquire::BoxHello& hello) {
   const auto take = limbwave::take::open_take(options.take);
   if (!take) {
     return take.error();
@@ -169,13 +201,24 @@ Result<Maker::Make> recorded(const Options& options, limbwave::acquire::BoxHello
   if (frames == 0) {
     return Error{"is shorter than one round of the sources", options.take, "use a longer one"};
   }
-  return Maker::Make([=](bool from_start) {
+  Supply supply;
+  // It fires as it was recorded.
+  supply.schedule = [sources = hello.sources](const std::vector<std::uint8_t>& schedule) {
+    for (std::size_t slot = 0; slot < schedule.size(); ++slot) {
+      if (schedule[slot] != slot) {
+        return false;
+      }
+    }
+    return static_cast<int>(schedule.size()) == sources;
+  };
+  supply.make = [=](bool from_start) {
     *at = from_start || *at >= frames ? 0 : *at;
     std::vector<std::int16_t> slot(static_cast<std::size_t>(box.slot_samples * hello.wires));
     (void)reader->read_raw(limbwave::SampleIndex{*at}, std::as_writable_bytes(std::span(slot)));
     *at += box.slot_samples;
     return slot;
-  });
+  };
+  return supply;
 }
 
 int run(const Options& options) {
@@ -187,16 +230,29 @@ int run(const Options& options) {
   hello.serial = 1000 + options.seed;
   hello.session = 1;
   hello.firmware = "emulator " LIMBWAVE_VERSION;
-  auto make = options.take.empty() ? simulated(options, hello) : recorded(options, hello);
-  if (!make) {
-    return fail(make.error());
+  const auto supply = options.take.empty() ? simulated(options, hello) : recorded(options, hello);
+  if (!supply) {
+    return fail(supply.error());
   }
-  Maker maker(*std::move(make));
+  Maker maker(supply->make);
   const auto wires = static_cast<std::size_t>(hello.wires);
-  limbwave::emulator::Emulator emulator(hello, options.settings,
-                                        [&](std::vector<std::int16_t>& out, int frames, bool from_start) {
-                                          maker.get(out, static_cast<std::size_t>(frames) * wires, from_start);
-                                        });
+  limbwave::emulator::EmulatorSettings settings = options.settings;
+  if (!options.faults.empty()) {
+    auto faults = limbwave::emulator::load_faults(options.faults);
+    if (!faults) {
+      return fail(faults.error());
+    }
+    settings.faults = *std::move(faults);
+  }
+  limbwave::emulator::Emulator emulator(
+      hello, std::move(settings),
+      [&](std::vector<std::int16_t>& out, int frames, bool from_start) {
+        maker.get(out, static_cast<std::size_t>(frames) * wires, from_start);
+      },
+      [&](const std::vector<std::uint8_t>& schedule) {
+        maker.forget();
+        return supply->schedule(schedule);
+      });
   if (const auto opened = emulator.open(); !opened) {
     return fail(opened.error());
   }
@@ -226,10 +282,14 @@ int start(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--faults-every", options.settings.faults_every_s, "Mean seconds between faults of its own; 0: none")
       ->check(CLI::Range(0.0, 86400.0));
-  app.footer(
-      "Faults on request are lines on standard input: lose N, corrupt N, duplicate, reorder, pull WIRE, plug WIRE,\n"
-      "stall SECONDS, unplug SECONDS, reboot SECONDS.\n"
-      "Example: limbwave-driver-box-emulator --motion walk --link /tmp/box --faults-every 5");
+  app.add_option("--faults", options.faults, "File of faults: lines SECONDS FAULT, counted from the first start");
+  app.add_option("--threads", options.threads, "Threads of the simulation")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  app.footer("Faults on request, as lines on standard input or in the file of --faults:\n" +
+             limbwave::emulator::fault_help() +
+             "Example: limbwave-driver-box-emulator --motion walk --link /tmp/box --faults-every 5\n"
+             "         limbwave record walk.take --driver-box /tmp/box --seconds 60");
   CLI11_PARSE(app, argc, argv);
   options.settings.seed = options.seed;
   std::signal(SIGINT, interrupt);

@@ -1,9 +1,10 @@
+#include "acquire/block_sequencer.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
-
-#include "acquire/driver_box.h"
 
 namespace limbwave::acquire {
 namespace {
@@ -18,7 +19,7 @@ void BlockSequencer::fill(std::int64_t until) {
   }
   const std::int64_t count = until - next_;
   events_.push_back({SampleIndex{next_}, "dropped", fmt::format("{} samples were lost on the line", count), count});
-  samples_.insert(samples_.end(), static_cast<std::size_t>(count) * static_cast<std::size_t>(wires_), 0);
+  pieces_.push_back({count, {}});
   counters_.lost_frames += static_cast<std::uint64_t>(count);
   ++counters_.gaps;
   next_ = until;
@@ -45,7 +46,11 @@ void BlockSequencer::accept(const BoxBlock& block) {
   }
   connected_ = block.connected;
   skip *= wires_;
-  samples_.insert(samples_.end(), block.samples.begin() + static_cast<std::ptrdiff_t>(skip), block.samples.end());
+  if (pieces_.empty()) {
+    pieces_.emplace_back();
+  }
+  const auto bytes = std::as_bytes(std::span(block.samples).subspan(static_cast<std::size_t>(skip)));
+  pieces_.back().bytes.insert(pieces_.back().bytes.end(), bytes.begin(), bytes.end());
   next_ = first + block.frames;
 }
 
@@ -99,8 +104,8 @@ void BlockSequencer::restart(SampleIndex at) {
   offset_ = next_;
 }
 
-std::vector<std::int16_t> BlockSequencer::take_samples() {
-  return std::exchange(samples_, {});
+std::vector<BoxPiece> BlockSequencer::take_pieces() {
+  return std::exchange(pieces_, {});
 }
 
 std::vector<BoxEvent> BlockSequencer::take_events() {

@@ -1,21 +1,19 @@
 #include "acquire/driver_box.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <libserialport.h>
-#include <poll.h>
-#include <termios.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <filesystem>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
+
+#include "acquire/block_sequencer.h"
+#include "acquire/serial_line.h"
 
 namespace limbwave::acquire {
 namespace {
@@ -23,135 +21,67 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr int kReadTimeout = 20;    // milliseconds
-constexpr int kWriteTimeout = 500;  // milliseconds
 constexpr auto kReopenPause = milliseconds(100);
 constexpr auto kLateBlock = milliseconds(60);  // how long a missing block may still come
 constexpr auto kAskAgain = milliseconds(500);
+constexpr auto kNudge = milliseconds(1000);  // how often a silent box is told to go on
+constexpr double kAnswerPatience = 3.0;      // seconds
+constexpr double kAhead = 10.0;              // seconds by which a block may be ahead of our clock
 
 double seconds_since(Clock::time_point time) {
   return std::chrono::duration<double>(Clock::now() - time).count();
 }
-
-// One opened port; closed when it goes.
-class Line {
- public:
-  static Result<std::unique_ptr<Line>> open(const std::string& name) {
-    // A link that udev or an emulator keeps is followed, since the library knows ports by their own names alone.
-    std::error_code code;
-    const std::filesystem::path real = std::filesystem::canonical(name, code);
-    const std::string path = code ? name : real.string();
-    std::unique_ptr<Line> line(new Line);
-    // libserialport asks for modem lines, which a pseudo-terminal does not have.
-    if (path.starts_with("/dev/pts/")) {
-      return line->open_terminal(path) ? Result(std::move(line)) : cannot_open(name);
-    }
-    if (sp_get_port_by_name(path.c_str(), &line->port_) != SP_OK) {
-      return Error{"is no serial port", name, "check the cable, and the port's name"};
-    }
-    if (sp_open(line->port_, SP_MODE_READ_WRITE) != SP_OK) {
-      return cannot_open(name);
-    }
-    line->port_open_ = true;
-    sp_set_baudrate(line->port_, 115200);
-    sp_set_bits(line->port_, 8);
-    sp_set_parity(line->port_, SP_PARITY_NONE);
-    sp_set_stopbits(line->port_, 1);
-    sp_set_flowcontrol(line->port_, SP_FLOWCONTROL_NONE);
-    return line;
-  }
-  ~Line() {
-    if (port_open_) {
-      sp_close(port_);
-    }
-    if (port_ != nullptr) {
-      sp_free_port(port_);
-    }
-    if (terminal_ >= 0) {
-      ::close(terminal_);
-    }
-  }
-  Line(const Line&) = delete;
-  Line& operator=(const Line&) = delete;
-
-  // Bytes read, 0 when none came, below 0 when the line is gone.
-  int read(std::vector<std::byte>& buffer) {
-    if (terminal_ < 0) {
-      return static_cast<int>(sp_blocking_read_next(port_, buffer.data(), buffer.size(), kReadTimeout));
-    }
-    pollfd wait{terminal_, POLLIN, 0};
-    if (::poll(&wait, 1, kReadTimeout) <= 0) {
-      return 0;
-    }
-    const ssize_t got = ::read(terminal_, buffer.data(), buffer.size());
-    // Readable and nothing there: the other end was closed.
-    return got > 0 ? static_cast<int>(got) : (got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1);
-  }
-
-  bool write(const std::vector<std::byte>& bytes) {
-    if (terminal_ < 0) {
-      const auto put = static_cast<int>(sp_blocking_write(port_, bytes.data(), bytes.size(), kWriteTimeout));
-      return put == static_cast<int>(bytes.size());
-    }
-    for (std::size_t done = 0; done < bytes.size();) {
-      pollfd wait{terminal_, POLLOUT, 0};
-      const ssize_t put =
-          ::poll(&wait, 1, kWriteTimeout) > 0 ? ::write(terminal_, bytes.data() + done, bytes.size() - done) : -1;
-      if (put <= 0) {
-        return false;
-      }
-      done += static_cast<std::size_t>(put);
-    }
-    return true;
-  }
-
- private:
-  Line() = default;
-  static Error cannot_open(const std::string& name) {
-    return {"cannot be opened", name, "check the cable, and that you may use serial ports (group dialout)"};
-  }
-  bool open_terminal(const std::string& path) {
-    terminal_ = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    termios raw{};
-    if (terminal_ < 0 || ::tcgetattr(terminal_, &raw) != 0) {
-      return false;
-    }
-    ::cfmakeraw(&raw);
-    raw.c_cflag |= CS8 | CREAD | CLOCAL;
-    return ::tcsetattr(terminal_, TCSANOW, &raw) == 0;
-  }
-
-  sp_port* port_ = nullptr;
-  bool port_open_ = false;
-  int terminal_ = -1;
-};
 
 }  // namespace
 
 struct DriverBox::Impl {
   std::string port;
   DriverBoxSettings settings;
-  BoxHello hello;
-  std::unique_ptr<Line> line;
+  std::unique_ptr<SerialLine> line;
   PacketParser parser;
   std::unique_ptr<BlockSequencer> sequencer;
+  std::vector<std::uint8_t> schedule;
   std::uint16_t sequence = 0;
   std::thread thread;
   std::atomic<bool> stopping{false}, is_connected{false};
 
-  std::mutex mutex;  // of everything below
+  mutable std::mutex mutex;  // of everything below
   std::condition_variable arrived;
-  Part ready;
+  BoxHello hello;
+  BoxPart ready;
+  std::size_t backlog = 0;  // bytes in `ready`
   BoxCounters shared_counters;
   BoxStatus last_status;
 
   // The reader's own.
   std::vector<std::byte> buffer = std::vector<std::byte>(65536);
-  Clock::time_point last_block, held_since, lost_at;
+  Clock::time_point last_block, held_since, lost_at, nudged;
+  std::uint16_t nudge = 0;  // sequence number of the last *continue*
+  bool running = false;     // blocks that come belong to this run
   bool stalled = false;
-  std::uint64_t reconnects = 0, stalls = 0;
+  std::uint64_t reconnects = 0, stalls = 0, impossible = 0;
+  std::int64_t published = 0;  // frames
+  // What a consumer that is late does not get.
+  std::int64_t late = 0;
+  std::uint64_t late_frames = 0, late_gaps = 0;
 
-  bool send(PacketKind kind) { return line && line->write(write_packet(kind, sequence++, {})); }
+  [[nodiscard]] BoxHello known() const {
+    const std::lock_guard lock(mutex);
+    return hello;
+  }
+
+  bool send(PacketKind kind, std::span<const std::byte> body = {}) {
+    return line && line->write(write_packet(kind, sequence++, body));
+  }
+
+  // Bytes that have come, to the parser; false when the line is gone.
+  bool listen() {
+    const int got = line ? line->read(buffer) : -1;
+    if (got > 0) {
+      parser.push(std::span(buffer).first(static_cast<std::size_t>(got)));
+    }
+    return got >= 0;
+  }
 
   // Who is there; waits for at most so long.
   std::optional<BoxHello> ask(double patience_s) {
@@ -164,17 +94,15 @@ struct DriverBox::Impl {
           return std::nullopt;
         }
       }
-      const int got = line->read(buffer);
-      if (got < 0) {
+      if (!listen()) {
         return std::nullopt;
       }
-      parser.push(std::span(buffer).first(static_cast<std::size_t>(got)));
       while (auto packet = parser.next()) {
         if (packet->kind == PacketKind::kHello) {
           if (auto found = read_hello(packet->body)) {
             return found;
           }
-        } else if (packet->kind == PacketKind::kBlock && sequencer) {
+        } else if (packet->kind == PacketKind::kBlock) {
           take(*packet);
         }
       }
@@ -182,9 +110,61 @@ struct DriverBox::Impl {
     return std::nullopt;
   }
 
+  // Gives a command until it is answered: done or refused; empty when the line is gone or nobody answers.
+  std::optional<bool> command(PacketKind kind, std::span<const std::byte> body = {}) {
+    const auto begin = Clock::now();
+    auto asked = begin - kAskAgain;
+    std::uint16_t number = 0;
+    while (seconds_since(begin) < kAnswerPatience && !stopping) {
+      if (Clock::now() - asked >= kAskAgain) {
+        asked = Clock::now();
+        number = sequence;
+        if (!send(kind, body)) {
+          return std::nullopt;
+        }
+      }
+      if (!listen()) {
+        return std::nullopt;
+      }
+      while (auto packet = parser.next()) {
+        if (packet->kind == PacketKind::kBlock) {
+          take(*packet);
+        }
+        // Only the newest asking counts: an older *start* was undone by it.
+        const auto answer = packet->kind == PacketKind::kAnswer ? read_answer(packet->body) : std::nullopt;
+        if (answer && answer->command == number) {
+          return answer->done;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Starts the box from sample 0. What it sent before its answer belongs to an earlier run.
+  std::optional<bool> begin() {
+    running = false;
+    if (!schedule.empty()) {
+      const auto told =
+          command(PacketKind::kStop) ? command(PacketKind::kSchedule, schedule_body(schedule)) : std::optional<bool>();
+      if (!told.value_or(false)) {
+        return told;
+      }
+    }
+    const auto started = command(PacketKind::kStart);
+    running = started.value_or(false);
+    last_block = Clock::now();
+    return started;
+  }
+
   void take(const Packet& packet) {
-    auto block = read_block(packet.body);
+    auto block = running ? read_block(packet.body) : std::nullopt;
     if (!block) {
+      return;
+    }
+    // What no box could have sampled meanwhile is not believed: its gap would fill the disk.
+    const double ahead = static_cast<double>(sequencer->place(*block) - sequencer->position().value);
+    if (ahead > (1.1 * seconds_since(last_block) + kAhead) * static_cast<double>(known().rate_hz)) {
+      ++impossible;
       return;
     }
     last_block = Clock::now();
@@ -199,21 +179,86 @@ struct DriverBox::Impl {
     ready.events.push_back({sequencer->position(), kind, text, count});
   }
 
+  void hand_over(BoxPiece piece) {
+    backlog += piece.bytes.size();
+    if (piece.lost == 0 && !ready.pieces.empty()) {
+      auto& bytes = ready.pieces.back().bytes;
+      bytes.insert(bytes.end(), piece.bytes.begin(), piece.bytes.end());
+    } else {
+      ready.pieces.push_back(std::move(piece));
+    }
+  }
+
+  // What the consumer did not take in time becomes one gap once it takes again.
+  void close_late() {
+    if (late == 0) {
+      return;
+    }
+    ready.events.push_back({SampleIndex{published}, "dropped",
+                            fmt::format("{} samples were lost because the disk was too slow", late), late});
+    hand_over({late, {}});
+    published += late;
+    late_frames += static_cast<std::uint64_t>(late);
+    ++late_gaps;
+    late = 0;
+  }
+
   // Hands what is in order to the consumer.
-  void publish() {
-    std::vector<std::int16_t> samples = sequencer->take_samples();
+  void publish(bool last = false) {
+    std::vector<BoxPiece> pieces = sequencer->take_pieces();
     std::vector<BoxEvent> events = sequencer->take_events();
     const std::lock_guard lock(mutex);
+    const std::size_t frame = 2 * static_cast<std::size_t>(hello.wires);
+    const auto most = static_cast<std::size_t>(settings.backlog_s * static_cast<double>(hello.rate_hz)) * frame;
+    ready.events.insert(ready.events.end(), events.begin(), events.end());
+    if (late > 0 && (last || backlog <= most / 2)) {
+      close_late();
+    }
+    for (BoxPiece& piece : pieces) {
+      const auto frames = static_cast<std::int64_t>(piece.bytes.size() / frame);
+      if (late > 0 || backlog + piece.bytes.size() > most) {
+        if (piece.lost > 0) {  // told as a gap of its own already
+          close_late();
+          published += piece.lost;
+          hand_over({piece.lost, {}});
+        }
+        late += frames;
+        continue;
+      }
+      published += piece.lost + frames;
+      hand_over(std::move(piece));
+    }
+    if (last) {
+      close_late();
+    }
     shared_counters = sequencer->counters();
-    shared_counters.bad_packets = parser.bad_packets();
+    shared_counters.bad_packets = parser.bad_packets() + impossible;
     shared_counters.skipped_bytes = parser.skipped_bytes();
     shared_counters.reconnects = reconnects;
     shared_counters.stalls = stalls;
-    ready.events.insert(ready.events.end(), events.begin(), events.end());
-    ready.samples.insert(ready.samples.end(), samples.begin(), samples.end());
-    if (!samples.empty() || !events.empty()) {
+    shared_counters.lost_frames += late_frames;
+    shared_counters.gaps += late_gaps;
+    if (!ready.pieces.empty() || !ready.events.empty()) {
       arrived.notify_one();
     }
+  }
+
+  // The box was off or has forgotten its run: how long is known by our own clock alone. Slots keep their places.
+  bool begin_anew(const BoxHello& found) {
+    const std::int64_t round =
+        std::max<std::int64_t>(1, std::int64_t{found.slot_samples} *
+                                      static_cast<std::int64_t>(schedule.empty() ? std::max(1, found.sources)
+                                                                                 : static_cast<int>(schedule.size())));
+    const auto since = last_block;
+    if (!begin().value_or(false)) {
+      return false;
+    }
+    const auto passed = static_cast<std::int64_t>(seconds_since(since) * static_cast<double>(found.rate_hz));
+    sequencer->restart(SampleIndex{(sequencer->position().value + passed + round - 1) / round * round});
+    event("box-restarted", "the driver box was switched on again; the length of the gap is by the computer's clock");
+    const std::lock_guard lock(mutex);
+    hello = found;
+    return true;
   }
 
   void reconnect() {
@@ -223,33 +268,22 @@ struct DriverBox::Impl {
     lost_at = Clock::now();
     event("line-lost", "the driver box does not answer any more; waiting for it");
     publish();
+    const BoxHello before = known();
     while (!stopping) {
       std::this_thread::sleep_for(kReopenPause);
-      auto opened = Line::open(port);
+      auto opened = SerialLine::open(port);
       if (!opened) {
         continue;
       }
       line = *std::move(opened);
       const auto found = ask(2.0);
-      if (!found || found->wires != hello.wires || found->rate_hz != hello.rate_hz) {
+      const bool fits = found && found->wires == before.wires && found->rate_hz == before.rate_hz;
+      const bool same = fits && found->session == before.session && found->serial == before.serial;
+      const bool goes_on = same && command(PacketKind::kContinue).value_or(false);
+      if (!fits || (!goes_on && !begin_anew(*found))) {
         line.reset();
         parser.reset();
         continue;
-      }
-      const bool same = found->session == hello.session && found->serial == hello.serial;
-      if (same) {
-        send(PacketKind::kContinue);
-      } else {
-        // It was off: how long is known by our own clock alone. Slots keep their places.
-        const std::int64_t round =
-            std::max<std::int64_t>(1, std::int64_t{hello.slot_samples} * std::max(1, hello.sources));
-        const auto passed = static_cast<std::int64_t>(seconds_since(last_block) * hello.rate_hz);
-        const std::int64_t at = (sequencer->position().value + passed + round - 1) / round * round;
-        sequencer->restart(SampleIndex{at});
-        event("box-restarted",
-              "the driver box was switched on again; the length of the gap is by the computer's clock");
-        hello = *found;
-        send(PacketKind::kStart);
       }
       ++reconnects;
       is_connected = true;
@@ -260,29 +294,35 @@ struct DriverBox::Impl {
     }
   }
 
+  void hear(const Packet& packet) {
+    if (packet.kind == PacketKind::kBlock) {
+      if (stalled) {
+        stalled = false;
+        event("stall-over", fmt::format("samples come again after {:.1f} s", seconds_since(last_block)));
+      }
+      take(packet);
+    } else if (packet.kind == PacketKind::kStatus) {
+      if (const auto status = read_status(packet.body)) {
+        const std::lock_guard lock(mutex);
+        last_status = *status;
+      }
+    } else if (packet.kind == PacketKind::kAnswer && stalled) {
+      const auto answer = read_answer(packet.body);
+      if (answer && answer->command == nudge && !answer->done) {
+        (void)begin_anew(known());
+      }
+    }
+  }
+
   void run() {
-    last_block = Clock::now();
-    auto asked = Clock::now();
+    last_block = nudged = Clock::now();
     while (!stopping) {
-      const int got = line ? line->read(buffer) : -1;
-      if (got < 0) {
+      if (!listen()) {
         reconnect();
         continue;
       }
-      parser.push(std::span(buffer).first(static_cast<std::size_t>(got)));
       while (auto packet = parser.next()) {
-        if (packet->kind == PacketKind::kBlock) {
-          if (stalled) {
-            stalled = false;
-            event("stall-over", fmt::format("samples come again after {:.1f} s", seconds_since(last_block)));
-          }
-          take(*packet);
-        } else if (packet->kind == PacketKind::kStatus) {
-          if (const auto status = read_status(packet->body)) {
-            const std::lock_guard lock(mutex);
-            last_status = *status;
-          }
-        }
+        hear(*packet);
       }
       if (sequencer->waiting() && Clock::now() - held_since > kLateBlock) {
         sequencer->give_up();
@@ -293,8 +333,9 @@ struct DriverBox::Impl {
         event("stall", "no samples come from the driver box");
       }
       // A box that was plugged out and in unnoticed waits to be told.
-      if (stalled && Clock::now() - asked > milliseconds(1000)) {
-        asked = Clock::now();
+      if (stalled && Clock::now() - nudged > kNudge) {
+        nudged = Clock::now();
+        nudge = sequence;
         send(PacketKind::kContinue);
       }
       publish();
@@ -312,7 +353,7 @@ Result<std::unique_ptr<DriverBox>> DriverBox::open(const std::string& port, cons
   auto impl = std::make_unique<Impl>();
   impl->port = port;
   impl->settings = settings;
-  auto line = Line::open(port);
+  auto line = SerialLine::open(port);
   if (!line) {
     return line.error();
   }
@@ -327,22 +368,46 @@ Result<std::unique_ptr<DriverBox>> DriverBox::open(const std::string& port, cons
   return std::unique_ptr<DriverBox>(new DriverBox(std::move(impl)));
 }
 
-const BoxHello& DriverBox::hello() const {
-  return impl_->hello;
+BoxHello DriverBox::hello() const {
+  return impl_->known();
 }
 
 StreamFormat DriverBox::format() const {
-  return {SampleRate{static_cast<double>(impl_->hello.rate_hz)}, impl_->hello.wires, SampleType::kInt16};
+  const BoxHello hello = impl_->known();
+  return {SampleRate{static_cast<double>(hello.rate_hz)}, hello.wires, SampleType::kInt16};
+}
+
+std::string DriverBox::title() const {
+  const BoxHello hello = impl_->known();
+  return fmt::format("driver box {:x}, {}", hello.serial, hello.firmware);
+}
+
+Status DriverBox::set_schedule(const std::vector<std::uint8_t>& schedule) {
+  if (impl_->thread.joinable()) {
+    return Error{"is running", impl_->port, "stop it before its schedule is changed"};
+  }
+  impl_->schedule = schedule;
+  impl_->stopping = false;
+  // A box that was left running by somebody else does not take it.
+  const bool told = impl_->command(PacketKind::kStop).has_value() &&
+                    impl_->command(PacketKind::kSchedule, schedule_body(schedule)).value_or(false);
+  if (!told) {
+    return Error{"refuses the order in which sources are to fire", impl_->port,
+                 "check that the rig belongs to this box"};
+  }
+  const std::lock_guard lock(impl_->mutex);
+  impl_->hello.schedule = schedule;
+  return {};
 }
 
 Status DriverBox::start() {
   if (impl_->thread.joinable()) {
     return {};
   }
-  if (!impl_->send(PacketKind::kStart)) {
-    return Error{"cannot be written to", impl_->port, "check the cable"};
-  }
   impl_->stopping = false;
+  if (!impl_->begin().value_or(false)) {
+    return Error{"does not start", impl_->port, "check the cable, and switch the box off and on"};
+  }
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
   return {};
 }
@@ -353,17 +418,16 @@ void DriverBox::stop() {
     impl_->thread.join();
     impl_->send(PacketKind::kStop);
     impl_->sequencer->give_up();
-    impl_->publish();
+    impl_->publish(true);
   }
 }
 
-DriverBox::Part DriverBox::pull(double timeout_s) {
+BoxPart DriverBox::pull(double timeout_s) {
   std::unique_lock lock(impl_->mutex);
   impl_->arrived.wait_for(lock, std::chrono::duration<double>(timeout_s),
-                          [&] { return !impl_->ready.samples.empty() || !impl_->ready.events.empty(); });
-  Part part;
-  std::swap(part, impl_->ready);
-  return part;
+                          [&] { return !impl_->ready.pieces.empty() || !impl_->ready.events.empty(); });
+  impl_->backlog = 0;
+  return std::exchange(impl_->ready, {});
 }
 
 BoxCounters DriverBox::counters() const {

@@ -17,6 +17,7 @@ constexpr std::size_t kMostFirmware = 64;
 constexpr std::size_t kBlockHeader = 20;
 constexpr int kMostFrames = 8192;
 constexpr int kMostWires = 64;
+constexpr std::size_t kMostSlots = 64;
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they lie in memory");
 
@@ -101,7 +102,8 @@ void PacketParser::reset() {
 }
 
 std::optional<BoxHello> read_hello(std::span<const std::byte> body) {
-  if (body.size() < 33) {
+  constexpr std::size_t kFixed = 33;
+  if (body.size() < kFixed + 1) {
     return std::nullopt;
   }
   BoxHello hello;
@@ -115,10 +117,17 @@ std::optional<BoxHello> read_hello(std::span<const std::byte> body) {
   hello.serial = get<std::uint64_t>(body, 16);
   hello.session = get<std::uint64_t>(body, 24);
   const auto name = std::to_integer<std::size_t>(body[32]);
-  if (name > kMostFirmware || body.size() != 33 + name) {
+  if (name > kMostFirmware || body.size() < kFixed + name + 1) {
     return std::nullopt;
   }
-  for (const std::byte character : body.subspan(33)) {
+  const auto slots = std::to_integer<std::size_t>(body[kFixed + name]);
+  if (slots > kMostSlots || body.size() != kFixed + name + 1 + slots) {
+    return std::nullopt;
+  }
+  for (const std::byte source : body.subspan(kFixed + name + 1)) {
+    hello.schedule.push_back(std::to_integer<std::uint8_t>(source));
+  }
+  for (const std::byte character : body.subspan(kFixed, name)) {
     const auto code = std::to_integer<unsigned char>(character);
     if (code < 0x20 || code > 0x7E) {
       return std::nullopt;
@@ -168,7 +177,8 @@ std::optional<BoxAnswer> read_answer(std::span<const std::byte> body) {
 }
 
 std::optional<std::vector<std::uint8_t>> read_schedule(std::span<const std::byte> body) {
-  if (body.empty() || body.size() != 1 + std::to_integer<std::size_t>(body[0]) || body.size() > 65 || body.size() < 2) {
+  if (body.empty() || body.size() != 1 + std::to_integer<std::size_t>(body[0]) || body.size() < 2 ||
+      body.size() > 1 + kMostSlots) {
     return std::nullopt;
   }
   std::vector<std::uint8_t> schedule;
@@ -192,6 +202,11 @@ std::vector<std::byte> hello_body(const BoxHello& hello) {
   put(body, static_cast<std::uint8_t>(name.size()));
   for (const char character : name) {
     put(body, character);
+  }
+  const std::size_t slots = std::min(hello.schedule.size(), kMostSlots);
+  put(body, static_cast<std::uint8_t>(slots));
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    put(body, hello.schedule[slot]);
   }
   return body;
 }
@@ -221,6 +236,15 @@ std::vector<std::byte> answer_body(const BoxAnswer& answer) {
   std::vector<std::byte> body;
   put(body, answer.command);
   put(body, static_cast<std::uint8_t>(answer.done ? 0 : 1));
+  return body;
+}
+
+std::vector<std::byte> schedule_body(std::span<const std::uint8_t> schedule) {
+  std::vector<std::byte> body;
+  put(body, static_cast<std::uint8_t>(schedule.size()));
+  for (const std::uint8_t source : schedule) {
+    put(body, source);
+  }
   return body;
 }
 

@@ -32,6 +32,7 @@ struct BoxHello {
   float pulse_hz = 40000.0F;
   std::uint64_t serial = 0, session = 0;
   std::string firmware;
+  std::vector<std::uint8_t> schedule;  ///< Source of every slot, 255 is silence; empty: the sources in their order.
   bool operator==(const BoxHello&) const = default;
 };
 
@@ -85,13 +86,16 @@ std::optional<BoxHello> read_hello(std::span<const std::byte> body);
 std::optional<BoxBlock> read_block(std::span<const std::byte> body);
 std::optional<BoxStatus> read_status(std::span<const std::byte> body);
 std::optional<BoxAnswer> read_answer(std::span<const std::byte> body);
-/// Sources by slot; 255 is silence.
+/// Sources by slot; kSilentSlot is silence.
+inline constexpr std::uint8_t kSilentSlot = 255;
 std::optional<std::vector<std::uint8_t>> read_schedule(std::span<const std::byte> body);
 
 std::vector<std::byte> hello_body(const BoxHello& hello);
 std::vector<std::byte> block_body(const BoxBlock& block);
 std::vector<std::byte> status_body(const BoxStatus& status);
 std::vector<std::byte> answer_body(const BoxAnswer& answer);
+/// `schedule` has 1 to 64 slots.
+std::vector<std::byte> schedule_body(std::span<const std::uint8_t> schedule);
 
 /// The bytes of a packet.
 std::vector<std::byte> write_packet(PacketKind kind, std::uint16_t sequence, std::span<const std::byte> body);

@@ -104,21 +104,6 @@ DeviceInfo describe(PaDeviceIndex index) {
   return info;
 }
 
-// The device and what it offers; the caller holds the lock.
-Result<PaDeviceIndex> find_device(const std::string& id) {
-  if (id == "default") {
-    const PaDeviceIndex index = Pa_GetDefaultInputDevice();
-    return index != paNoDevice ? Result<PaDeviceIndex>(index)
-                               : Error{"there is no sound card to capture from", id, "connect one"};
-  }
-  for (PaDeviceIndex index = 0; index < Pa_GetDeviceCount(); ++index) {
-    if (device_id(index) == id) {
-      return index;
-    }
-  }
-  return Error{"there is no such device", id, "connect it, or choose one that `limbwave devices` lists"};
-}
-
 std::optional<Error> check_format(const DeviceInfo& device, const StreamFormat& wanted) {
   if (wanted.channels < 1 || wanted.channels > device.channels) {
     return Error{fmt::format("has {} channels, not {}", device.channels, wanted.channels), device.id,
@@ -303,13 +288,27 @@ Result<std::vector<DeviceInfo>> list_devices() {
   return devices;
 }
 
+Result<int> find_sound_device(const std::string& id) {
+  if (id == "default") {
+    const PaDeviceIndex index = Pa_GetDefaultInputDevice();
+    return index != paNoDevice ? Result<int>(index)
+                               : Error{"there is no sound card to capture from", id, "connect one"};
+  }
+  for (PaDeviceIndex index = 0; index < Pa_GetDeviceCount(); ++index) {
+    if (device_id(index) == id) {
+      return index;
+    }
+  }
+  return Error{"there is no such device", id, "connect it, or choose one that `limbwave devices` lists"};
+}
+
 Result<std::unique_ptr<LiveSource>> open_sound_card(const std::string& id, const StreamFormat& wanted) {
   const std::lock_guard guard(portaudio_lock());
   Result<std::unique_ptr<PortAudioSession>> portaudio = PortAudioSession::start();
   if (!portaudio) {
     return portaudio.error();
   }
-  const Result<PaDeviceIndex> index = find_device(id);
+  const Result<int> index = find_sound_device(id);
   if (!index) {
     return index.error();
   }

@@ -16,6 +16,10 @@ namespace limbwave::acquire {
 /// source is open.
 Result<std::vector<DeviceInfo>> list_devices();
 
+/// PortAudio's number of a device of `list_devices`, or of "default". PortAudio runs, and the caller holds its lock
+/// (portaudio_session.h). Fails when there is no such device.
+Result<int> find_sound_device(const std::string& id);
+
 /// Opens a device of `list_devices` for capture; "default" is the default one. The stream has exactly the wanted
 /// format, with samples as the device gives them: nothing is dithered, clipped or resampled here. Fails when the device
 /// is gone or busy or does not offer the format, naming what it offers.

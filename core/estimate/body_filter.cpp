@@ -9,11 +9,8 @@
 namespace limbwave::estimate {
 namespace {
 
-using body::LinkKind;
 using body::TreeLink;
-using Eigen::Matrix3d;
 using Eigen::VectorXd;
-using RowMatrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, const body::Tree& tree) {
   BodyLayout layout;
@@ -32,6 +29,9 @@ BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, co
     layout.gyroscope_bias.push_back(take(gyroscope && p.gyroscope_bias > 0.0, 3));
     layout.accelerometer_bias.push_back(take(accelerometer && p.accelerometer_bias > 0.0, 3));
     layout.mount_rotation.push_back(take(inertial && (gyroscope || accelerometer) && p.mount_rotation > 0.0, 3));
+    const bool moves = inertial && (gyroscope || accelerometer) && p.tissue_angle > 0.0;
+    layout.tissue_angle.push_back(take(moves, 3));
+    layout.tissue_gain.push_back(take(moves, 3));
     layout.mount_place.push_back(take((accelerometer || microphone) && p.mount_place > 0.0, 3));
   }
   for (std::size_t s = 0; s < model.sources.size(); ++s) {
@@ -104,7 +104,7 @@ BodyFilter::BodyFilter(BodyModel model, const BodyFilterParameters& parameters)
   const std::size_t boards = model_.boards.size();
   state_.joints = tree_.rest();
   state_.gyroscope_bias.assign(boards, Vector3d::Zero());
-  state_.accelerometer_bias = state_.mount_place = state_.gyroscope_bias;
+  state_.accelerometer_bias = state_.mount_place = state_.tissue_angle = state_.tissue_gain = state_.gyroscope_bias;
   state_.mount_rotation.assign(boards, Quaterniond::Identity());
   state_.source_place.assign(model_.sources.size(), Vector3d::Zero());
   state_.range_offset.assign(model_.sources.size(), 0.0);
@@ -143,6 +143,8 @@ void BodyFilter::start(double time_s, const RootReading* root) {
   constants(layout_.accelerometer_bias, 3, p.accelerometer_bias);
   constants(layout_.mount_rotation, 3, p.mount_rotation);
   constants(layout_.mount_place, 3, p.mount_place);
+  constants(layout_.tissue_angle, 3, p.tissue_angle);
+  constants(layout_.tissue_gain, 3, tissue_gain_sigma());
   constants(layout_.source_place, 3, p.source_place);
   constants(layout_.range_offset, 1, p.range_offset);
   constants(layout_.bone_scale, 1, p.bone_scale);
@@ -164,6 +166,8 @@ void BodyFilter::inject(BodyState& state, const VectorXd& x) const {
   add(state.gyroscope_bias, layout_.gyroscope_bias);
   add(state.accelerometer_bias, layout_.accelerometer_bias);
   add(state.mount_place, layout_.mount_place);
+  add(state.tissue_angle, layout_.tissue_angle);
+  add(state.tissue_gain, layout_.tissue_gain);
   add(state.source_place, layout_.source_place);
   for (std::size_t i = 0; i < state.mount_rotation.size(); ++i) {
     if (const int first = layout_.mount_rotation[i]; first >= 0) {
@@ -177,135 +181,6 @@ void BodyFilter::inject(BodyState& state, const VectorXd& x) const {
     state.bone_scale[i] += layout_.bone_scale[i] >= 0 ? x[layout_.bone_scale[i]] : 0.0;
   }
   state.sound_scale += layout_.sound_scale >= 0 ? x[layout_.sound_scale] : 0.0;
-}
-
-// θ ⊞ (dt θ̇ + c θ̈), θ̇ + va θ̈, aa θ̈: the paper's eq. (1), with Singer's memory where the acceleration has one.
-void BodyFilter::predict(double dt, PredictRecord* record) {
-  const BodyFilterParameters& p = parameters_;
-  const int n = layout_.dofs;
-  double va = dt;
-  double aa = 1.0;
-  double c = 0.5 * dt * dt;
-  if (p.acceleration_time > 0.0) {
-    const double b = 1.0 / p.acceleration_time;
-    aa = std::exp(-b * dt);
-    va = (1.0 - aa) / b;
-    c = (b * dt - 1.0 + aa) / (b * b);
-  }
-  if (record != nullptr) {
-    record->dt = dt;
-    record->va = va;
-    record->aa = aa;
-    record->c = c;
-    record->balls.clear();
-  }
-  body::TreeState& joints = state_.joints;
-  VectorXd delta = dt * joints.qd + c * joints.qdd;
-  const CovarianceKernel& kernel = P_.kernel();
-  const long stride = P_.stride();
-  double* P = P_.row(0);
-  const auto row = [&](int i) { return P + i * stride; };
-  std::vector<PredictRecord::Ball> balls;
-  // Rows: F P.
-  for (const TreeLink& link : tree_.links()) {
-    if (link.kind == LinkKind::kBall) {
-      const Vector3d w = joints.qd.segment<3>(link.first);
-      const Vector3d al = joints.qdd.segment<3>(link.first);
-      // The third-order term of coning.
-      const Vector3d phi = dt * w + c * al + dt * dt * dt / 12.0 * w.cross(al);
-      delta.segment<3>(link.first) = phi;
-      PredictRecord::Ball ball;
-      ball.first = link.first;
-      const Matrix3d J = geometry::right_jacobian(phi);
-      Eigen::Map<RowMatrix3>(ball.A.data()) = geometry::exp_so3(-phi).toRotationMatrix();
-      Eigen::Map<RowMatrix3>(ball.B.data()) = dt * J;
-      Eigen::Map<RowMatrix3>(ball.C.data()) = c * J;
-      kernel.mix_rows(row(link.first), row(n + link.first), row(2 * n + link.first), ball.A.data(), ball.B.data(),
-                      ball.C.data(), stride);
-      balls.push_back(ball);
-    } else {
-      for (int i = link.first; i < link.first + link.count; ++i) {
-        kernel.subtract(row(i), row(n + i), -dt, stride);
-        kernel.subtract(row(i), row(2 * n + i), -c, stride);
-      }
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    kernel.subtract(row(n + i), row(2 * n + i), -va, stride);
-    if (aa != 1.0) {
-      kernel.subtract(row(2 * n + i), row(2 * n + i), 1.0 - aa, stride);
-    }
-  }
-  // Columns of the dynamic rows: (F P) Fᵀ.
-  for (int i = 0; i < 3 * n; ++i) {
-    double* x = row(i);
-    double* v = x + n;
-    double* a = x + 2 * n;
-    auto ball = balls.begin();
-    for (const TreeLink& link : tree_.links()) {
-      const int f = link.first;
-      if (link.kind == LinkKind::kBall) {
-        const double t0 = x[f];
-        const double t1 = x[f + 1];
-        const double t2 = x[f + 2];
-        for (std::size_t r = 0; r < 3; ++r) {
-          x[f + static_cast<int>(r)] = ball->A[3 * r] * t0 + ball->A[3 * r + 1] * t1 + ball->A[3 * r + 2] * t2 +
-                                       ball->B[3 * r] * v[f] + ball->B[3 * r + 1] * v[f + 1] +
-                                       ball->B[3 * r + 2] * v[f + 2] + ball->C[3 * r] * a[f] +
-                                       ball->C[3 * r + 1] * a[f + 1] + ball->C[3 * r + 2] * a[f + 2];
-        }
-        ++ball;
-      } else {
-        for (int k = f; k < f + link.count; ++k) {
-          x[k] += dt * v[k] + c * a[k];
-        }
-      }
-    }
-    for (int k = 0; k < n; ++k) {
-      v[k] += va * a[k];
-      a[k] *= aa;
-    }
-  }
-  // Process noise of a white jerk, and exact symmetry.
-  const bool free_root = tree_.root_motion() == body::RootMotion::kFree;
-  for (int i = 0; i < n; ++i) {
-    const double walk = free_root && i < 3 ? p.root_acceleration_walk : p.acceleration_walk;
-    const double q = walk * walk;
-    const double dt2 = dt * dt;
-    P_.add_variance(2 * n + i, q * dt);
-    P_.add_variance(n + i, q * dt2 * dt / 3.0);
-    P_.add_variance(i, q * dt2 * dt2 * dt / 20.0);
-    row(n + i)[2 * n + i] += q * dt2 / 2.0;
-    row(i)[2 * n + i] += q * dt2 * dt / 6.0;
-    row(i)[n + i] += q * dt2 * dt2 / 8.0;
-  }
-  for (int i = 0; i < 3 * n; ++i) {
-    const double* from = row(i);
-    for (int k = i + 1; k < layout_.size; ++k) {
-      row(k)[i] = from[k];
-    }
-  }
-  const auto walk = [&](const std::vector<int>& first, int count, double sigma) {
-    for (const int f : first) {
-      for (int i = 0; f >= 0 && i < count; ++i) {
-        P_.add_variance(f + i, sigma * sigma * dt);
-      }
-    }
-  };
-  walk(layout_.gyroscope_bias, 3, p.gyroscope_bias_walk);
-  walk(layout_.accelerometer_bias, 3, p.accelerometer_bias_walk);
-  walk(layout_.mount_rotation, 3, p.mount_rotation_walk);
-  walk(layout_.mount_place, 3, p.mount_place_walk);
-  walk(layout_.range_offset, 1, p.range_offset_walk);
-  walk({layout_.sound_scale}, 1, p.sound_scale_walk);
-
-  tree_.add(joints, delta);
-  joints.qd += va * joints.qdd;
-  joints.qdd *= aa;
-  state_.time_s += dt;
-  if (record != nullptr) {
-    record->balls = std::move(balls);
-  }
 }
 
 std::vector<double> BodyFilter::place_scale() const {

@@ -43,16 +43,18 @@ struct BodyFilterParameters {
   double reading_delay_s = 0.0;          ///< By which inertial readings are late, s; poses are carried forward by it.
 
   // Process: growth of θ̈ per √s, rad/s² (root translation: m/s²), and the time in which it forgets, s (0: never).
-  double acceleration_walk = 60.0;
-  double root_acceleration_walk = 30.0;
-  double acceleration_time = 0.0;
+  double acceleration_walk = 200.0;
+  double root_acceleration_walk = 50.0;
+  double acceleration_time = 0.1;
 
   // Constants: prior and random walk per √s.
   double gyroscope_bias = 0.002, gyroscope_bias_walk = 1e-4;
   double accelerometer_bias = 0.05, accelerometer_bias_walk = 1e-3;
-  double mount_rotation = 0.05, mount_rotation_walk = 0.005;
-  double mount_place = 0.006, mount_place_walk = 0.001;
+  double mount_rotation = 0.05, mount_rotation_walk = 0.0;
+  double mount_place = 0.006, mount_place_walk = 0.0;
   double source_place = 0.006;
+  double tissue_angle = 0.0185;  ///< σ of a board's rotation on skin that slides, rad per axis (0: it does not).
+  double tissue_turn = 1.0;      ///< While its segment turns by this, that rotation becomes another, rad.
   double range_offset = 0.0, range_offset_walk = 1e-5;
   double sound_scale = 0.005, sound_scale_walk = 1e-6;
   double bone_scale = 0.02;
@@ -68,7 +70,7 @@ struct BodyFilterParameters {
   double root_reach = 0.0;  ///< How far a free root strays, m; 0: anywhere.
 
   double gate_probability = 1e-6;  ///< Of rejecting a good reading.
-  double limit_softness = 0.1;     ///< Of joint limits, rad; 0: not used.
+  double limit_softness = 0.3;     ///< Of joint limits, rad; 0: not used.
 };
 
 /// Why a reading was not used.
@@ -84,6 +86,7 @@ struct ReadingCount {
 struct BodyLayout {
   int dofs = 0, size = 0;
   std::vector<int> gyroscope_bias, accelerometer_bias, mount_rotation, mount_place;  ///< First of three, per board.
+  std::vector<int> tissue_angle, tissue_gain;                                        ///< The same.
   std::vector<int> source_place;                                                     ///< First of three, per source.
   std::vector<int> range_offset;                                                     ///< Per source.
   std::vector<int> bone_scale;                                                       ///< Per segment.
@@ -95,7 +98,9 @@ struct BodyState {
   double time_s = 0.0;
   body::TreeState joints;
   std::vector<Vector3d> gyroscope_bias, accelerometer_bias, mount_place, source_place;
-  std::vector<Quaterniond> mount_rotation;  ///< R_LS = nominal · this.
+  /// Rotation of a board on its skin, rad, and how it grows with the angle by which the segment turns; sensor frame.
+  std::vector<Vector3d> tissue_angle, tissue_gain;
+  std::vector<Quaterniond> mount_rotation;  ///< R_LS = nominal · this · exp(tissue_angle).
   std::vector<double> range_offset, bone_scale;
   double sound_scale = 0.0;
 };
@@ -110,10 +115,16 @@ struct PredictRecord {
   };
   std::vector<Ball> balls;
   double c = 0.0;  ///< Of all others: θ += dt θ̇ + c θ̈.
+  struct Tissue {
+    int angle, gain;  ///< First of three.
+    double a, b;      ///< angle = a angle + b gain, gain *= a.
+  };
+  std::vector<Tissue> tissues;
 };
 
 /// What a step did, in order: the prediction, then updates.
 struct StepRecord {
+  bool forgets = false;  ///< Velocities and accelerations were forgotten before the prediction (body_step_hook.h).
   PredictRecord predict;
   std::vector<UpdateRecord> updates;
 };
@@ -158,6 +169,8 @@ class BodyFilter {
 
  private:
   void predict(double dt, PredictRecord* record);
+  void predict_tissue(double dt, PredictRecord* record);
+  [[nodiscard]] double tissue_gain_sigma() const;
   void add_inertial(const InertialReading& reading);
   void add_range(const RangeReading& reading);
   void add_root(const RootReading& reading);
@@ -176,6 +189,11 @@ class BodyFilter {
   std::vector<std::vector<int>> bone_links_;  // per link: links on its chain whose place a bone scale moves
   BodyState state_;
   ErrorCovariance P_;
+  std::vector<PredictRecord::Tissue> tissue_steps_;
+  struct TissueNoise {
+    double angle, both, gain;
+  };
+  std::vector<TissueNoise> tissue_noise_;
   std::vector<MeasurementGroup> groups_;
   std::size_t used_groups_ = 0;
   int pending_rows_ = 0;

@@ -37,6 +37,21 @@ double square(double x) {
   return x * x;
 }
 
+constexpr double kClipped = 0.998;     // of its range: a reading has reached its end
+constexpr double kBeyond = 0.15;       // of its range: by how much what is clipped is usually larger
+constexpr double kNotMeasured = 1e12;  // a variance
+
+// A component at the end of its range says only that the truth lies beyond: where the prediction lies short of the end
+// it is drawn towards it, where it lies beyond it is left alone.
+void set_rows(MeasurementGroup& g, const Vector3d& reading, const Vector3d& innovation, double variance, double range) {
+  for (int r = 0; r < 3; ++r) {
+    const bool clipped = std::abs(reading[r]) >= kClipped * range;
+    const bool short_of_it = innovation[r] * reading[r] > 0.0;
+    g.innovation[r] = clipped && !short_of_it ? 0.0 : innovation[r];
+    g.variance[r] = !clipped ? variance : (short_of_it ? variance + square(kBeyond * range) : kNotMeasured);
+  }
+}
+
 }  // namespace
 
 void BodyFilter::count(const MeasurementGroup& g) {
@@ -69,7 +84,8 @@ void BodyFilter::add_inertial(const InertialReading& reading) {
   const std::vector<int>& dofs = tree_.chain_dofs(link);
   const body::LinkMotion& m = kinematics_.link(link);
   const Vector3d p_LS = board.p_LS + state_.mount_place[b];
-  const Matrix3d R_SW = (m.R_WL * (board.R_LS * state_.mount_rotation[b]).toRotationMatrix()).transpose();
+  const Matrix3d R_skin = geometry::exp_so3(state_.tissue_angle[b]).toRotationMatrix();
+  const Matrix3d R_SW = (m.R_WL * (board.R_LS * state_.mount_rotation[b]).toRotationMatrix() * R_skin).transpose();
   const bool gyroscope = p.use_gyroscopes && board.gyroscope && !std::isnan(reading.w_S.x());
   const bool accelerometer = p.use_accelerometers && board.accelerometer && !std::isnan(reading.f_S.x());
   const auto usable = [](const Vector3d& v, double range, ReadingCount& count) {
@@ -77,10 +93,7 @@ void BodyFilter::add_inertial(const InertialReading& reading) {
       ++count.not_finite;
       return false;
     }
-    if (v.cwiseAbs().maxCoeff() >= 0.998 * range) {
-      ++count.clipped;
-      return false;
-    }
+    count.clipped += v.cwiseAbs().maxCoeff() >= kClipped * range ? 1 : 0;
     return true;
   };
   const TreeKinematics::PointMotion point = kinematics_.point(link, p_LS);
@@ -90,24 +103,32 @@ void BodyFilter::add_inertial(const InertialReading& reading) {
     MeasurementGroup& g = group(3, kGyroscopeTag | reading.board);
     g.softened = true;
     const Vector3d w_S = R_SW * m.w;
+    // The skin turns with a part of the segment's own speed.
+    const double speed = m.w.norm();
+    const Vector3d w_skin = speed * state_.tissue_gain[b];
+    Matrix3d along = R_SW;
+    if (speed > 1e-6) {
+      along += state_.tissue_gain[b] * (m.w / speed).transpose();
+    }
     for (std::size_t c = 0; c < dofs.size(); ++c) {
       const auto column = static_cast<Eigen::Index>(c);
       const Vector3d s = jacobians_.J_phi_theta.col(column);
-      append(g, dofs[c], R_SW * (jacobians_.J_w_theta.col(column) - s.cross(m.w)));
-      append(g, n + dofs[c], R_SW * s);
+      append(g, dofs[c], along * jacobians_.J_w_theta.col(column) - R_SW * s.cross(m.w));
+      append(g, n + dofs[c], along * s);
     }
     if (const int first = layout_.gyroscope_bias[b]; first >= 0) {
       append_block(g, first, Matrix3d::Identity());
     }
     if (const int first = layout_.mount_rotation[b]; first >= 0) {
-      append_block(g, first, geometry::skew(w_S));
+      append_block(g, first, geometry::skew(w_S) * R_skin.transpose());
+    }
+    if (const int first = layout_.tissue_angle[b]; first >= 0) {
+      append_block(g, first, geometry::skew(w_S) * geometry::right_jacobian(state_.tissue_angle[b]));
+      append_block(g, layout_.tissue_gain[b], speed * Matrix3d::Identity());
     }
     const double variance = square(p.gyroscope_noise) + square(p.gyroscope_relative * reading.w_S.norm());
-    const Vector3d innovation = reading.w_S - w_S - state_.gyroscope_bias[b];
-    for (int r = 0; r < 3; ++r) {
-      g.innovation[r] = innovation[r];
-      g.variance[r] = variance;
-    }
+    const Vector3d innovation = reading.w_S - w_S - w_skin - state_.gyroscope_bias[b];
+    set_rows(g, reading.w_S, innovation, variance, model_.gyroscope_range);
   }
   if (accelerometer && usable(reading.f_S, model_.accelerometer_range, accelerometer_counts_[b])) {
     MeasurementGroup& g = group(3, kAccelerometerTag | reading.board);
@@ -125,7 +146,10 @@ void BodyFilter::add_inertial(const InertialReading& reading) {
       append_block(g, first, Matrix3d::Identity());
     }
     if (const int first = layout_.mount_rotation[b]; first >= 0) {
-      append_block(g, first, geometry::skew(f_S));
+      append_block(g, first, geometry::skew(f_S) * R_skin.transpose());
+    }
+    if (const int first = layout_.tissue_angle[b]; first >= 0) {
+      append_block(g, first, geometry::skew(f_S) * geometry::right_jacobian(state_.tissue_angle[b]));
     }
     if (const int first = layout_.mount_place[b]; first >= 0) {
       for (int i = 0; i < 3; ++i) {
@@ -141,10 +165,7 @@ void BodyFilter::add_inertial(const InertialReading& reading) {
     }
     const double variance = square(p.accelerometer_noise) + square(p.accelerometer_relative * reading.f_S.norm());
     const Vector3d innovation = reading.f_S - f_S - state_.accelerometer_bias[b];
-    for (int r = 0; r < 3; ++r) {
-      g.innovation[r] = innovation[r];
-      g.variance[r] = variance;
-    }
+    set_rows(g, reading.f_S, innovation, variance, model_.accelerometer_range);
   }
 }
 

@@ -71,8 +71,9 @@ std::vector<char> chosen(const std::vector<BodyInstant>& instants, double rate_h
 // The filter over one recording: what both directions share.
 class Run {
  public:
-  Run(const BodyModel& model, const BodyFilterParameters& parameters, const BodyReadings& readings, double rate_hz)
-      : readings_(readings), filter(model, parameters) {
+  Run(const BodyModel& model, const BodyFilterParameters& parameters, const BodyReadings& readings, double rate_hz,
+      BodyStepHook* hook)
+      : readings_(readings), hook_(hook), filter(model, parameters) {
     for (const BodyInstant& instant : instants_of(readings)) {
       const bool inertial = instant.inertials > 0 && (parameters.use_gyroscopes || parameters.use_accelerometers);
       if (inertial || (instant.range_count > 0 && parameters.use_ranges)) {
@@ -86,12 +87,20 @@ class Run {
   void step(std::size_t i, StepRecord* record = nullptr) {
     const bool with_root = filter.parameters().root == RootMode::kGiven && !readings_.root.empty() &&
                            (instants[i].inertials > 0 || !any_inertial_);
+    const BodyInstant used = hook_ != nullptr ? hook_->before(filter, instants[i], i, record) : instants[i];
     if (with_root) {
       const RootReading root = root_at(readings_.root, instants[i].time_s);
-      filter.step(instants[i], &root, record);
+      filter.step(used, &root, record);
     } else {
-      filter.step(instants[i], nullptr, record);
+      filter.step(used, nullptr, record);
     }
+    if (hook_ != nullptr) {
+      hook_->after(filter, used, i, record);
+    }
+  }
+
+  Result<Diagnostics> start() {
+    return hook_ != nullptr ? hook_->start(filter, readings_) : start_from_rest(filter, readings_);
   }
 
   Status check() const {
@@ -105,6 +114,9 @@ class Run {
   }
 
   void finish(BodyRun& run) const {
+    if (hook_ != nullptr) {
+      hook_->finished(filter);
+    }
     run.last = filter.state();
     run.log_likelihood = filter.log_likelihood();
     run.gyroscopes = filter.gyroscope_counts();
@@ -114,6 +126,7 @@ class Run {
 
  private:
   const BodyReadings& readings_;
+  BodyStepHook* hook_;
   bool any_inertial_ = false;
 
  public:
@@ -143,6 +156,10 @@ void back_over_predict(const PredictRecord& predict, const body::Tree& tree, Vec
   if (predict.dt <= 0.0) {
     return;
   }
+  for (const PredictRecord::Tissue& t : predict.tissues) {
+    lambda.segment<3>(t.gain) = t.a * lambda.segment<3>(t.gain) + t.b * lambda.segment<3>(t.angle);
+    lambda.segment<3>(t.angle) *= t.a;
+  }
   const int n = tree.dofs();
   lambda.segment(2 * n, n) = predict.aa * lambda.segment(2 * n, n) + predict.va * lambda.segment(n, n);
   auto ball = predict.balls.begin();
@@ -170,14 +187,29 @@ Error stopped() {
 
 }  // namespace
 
+void adjoint_over_step(const StepRecord& step, const body::Tree& tree, VectorXd& lambda) {
+  for (std::size_t u = step.updates.size(); u-- > 0;) {
+    back_over_update(step.updates[u], lambda);
+  }
+  back_over_predict(step.predict, tree, lambda);
+  if (step.forgets) {
+    lambda.segment(tree.dofs(), 2 * tree.dofs()).setZero();
+  }
+}
+
 Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& parameters,
-                            const BodyReadings& readings, double rate_hz, const Progress& progress) {
-  Run run(model, parameters, readings, rate_hz);
+                            const BodyReadings& readings, double rate_hz, const Progress& progress,
+                            BodyStepHook* hook) {
+  Run run(model, parameters, readings, rate_hz, hook);
   if (Status status = run.check(); !status) {
     return status.error();
   }
   BodyRun result;
-  result.diagnostics = start_from_rest(run.filter, readings);
+  Result<Diagnostics> started = run.start();
+  if (!started) {
+    return started.error();
+  }
+  result.diagnostics = *std::move(started);
   reserve(result.track, run.instants.size());
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
     run.step(i);
@@ -194,13 +226,18 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
 }
 
 Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& parameters,
-                            const BodyReadings& readings, double rate_hz, const Progress& progress, double stretch_s) {
-  Run run(model, parameters, readings, rate_hz);
+                            const BodyReadings& readings, double rate_hz, const Progress& progress, double stretch_s,
+                            BodyStepHook* hook) {
+  Run run(model, parameters, readings, rate_hz, hook);
   if (Status status = run.check(); !status) {
     return status.error();
   }
   BodyRun result;
-  result.diagnostics = start_from_rest(run.filter, readings);
+  Result<Diagnostics> started = run.start();
+  if (!started) {
+    return started.error();
+  }
+  result.diagnostics = *std::move(started);
   struct Checkpoint {
     std::size_t first;
     BodyFilter::Snapshot snapshot;
@@ -262,10 +299,7 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
         reversed.sigma.push_back(k.sigma);
         reversed.root_sigma.push_back(k.root_sigma);
       }
-      for (std::size_t u = k.record.updates.size(); u-- > 0;) {
-        back_over_update(k.record.updates[u], lambda);
-      }
-      back_over_predict(k.record.predict, run.filter.tree(), lambda);
+      adjoint_over_step(k.record, run.filter.tree(), lambda);
     }
     end = checkpoint.first;
     checkpoints.pop_back();

@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "estimate/body_filter.h"
+#include "estimate/body_step_hook.h"
 
 namespace limbwave::estimate {
 
@@ -33,11 +34,16 @@ struct BodyRun {
 
 /// Poses at every instant with inertial readings (all instants where there are none), at most `rate_hz` of them.
 Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& parameters,
-                            const BodyReadings& readings, double rate_hz, const Progress& progress);
+                            const BodyReadings& readings, double rate_hz, const Progress& progress,
+                            BodyStepHook* hook = nullptr);
 /// The same from both sides. Memory: a snapshot per `stretch_s` and the updates of one stretch.
 Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& parameters,
                             const BodyReadings& readings, double rate_hz, const Progress& progress,
-                            double stretch_s = 1.5);
+                            double stretch_s = 1.5, BodyStepHook* hook = nullptr);
+
+/// The smoother's adjoint variable λ before a step, from λ behind it (Bryson and Frazier's recursion): the smoothed
+/// error state is −P λ with the covariance P behind the step.
+void adjoint_over_step(const StepRecord& step, const body::Tree& tree, Eigen::VectorXd& lambda);
 
 /// Starts the filter from the readings: the root from its path or from gravity, everything else at rest; gyroscopes
 /// that stand still in the first second tell their bias (Vlasic et al. 2007, §5.4). Pose and mountings are left to the

@@ -21,16 +21,15 @@ constexpr std::size_t kMostTriangles = 10'000'000;
 }  // namespace
 
 Result<motion::TriangleMesh> load_mesh(const std::filesystem::path& path) {
-  const Result<std::string> bytes = read_file(path, kLargestFile);
-  if (!bytes) {
+  if (const Result<std::string> bytes = read_file(path, kLargestFile); !bytes) {
     return bytes.error();
+  } else if (bytes->empty()) {
+    return Error{"is empty", path.string(), "save the mesh as .obj, .glb or .fbx"};
   }
-  const std::string extension = path.extension().string();
+  // By name, not from memory: a .gltf has its numbers in files beside it.
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(
-      bytes->data(), bytes->size(),
-      aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices | aiProcess_SortByPType,
-      extension.empty() ? "" : extension.c_str() + 1);
+  const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
+                                                              aiProcess_PreTransformVertices | aiProcess_SortByPType);
   if (scene == nullptr) {
     std::string reason = importer.GetErrorString();
     std::ranges::replace(reason, '\n', ' ');

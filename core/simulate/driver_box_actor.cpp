@@ -86,11 +86,12 @@ Result<std::shared_ptr<const DriverBoxActor>> DriverBoxActor::create(
     }
     once = *builtin;
   }
+  actor->motion_.keep_to_joints_of(skeleton);
   if (rest_s > 0.0) {
     actor->motion_.append(
         std::make_shared<PoseMotion>(skeleton, std::vector<HeldPose>{{standing(skeleton), 0.0, rest_s}}), 0.0);
   }
-  actor->motion_.append(once, rest_s > 0.0 ? kGap : 0.0);
+  actor->loop_start_ = actor->motion_.append(once, rest_s > 0.0 ? kGap : 0.0);
   actor->duration_ = actor->motion_.duration();
   actor->loop_end_ = actor->motion_.append(once, kGap);
 
@@ -135,7 +136,7 @@ Result<std::shared_ptr<const DriverBoxActor>> DriverBoxActor::create(
 }
 
 double DriverBoxActor::folded(double time_s) const {
-  return time_s < loop_end_ ? time_s : std::fmod(time_s, loop_end_);
+  return time_s < loop_end_ ? time_s : loop_start_ + std::fmod(time_s - loop_start_, loop_end_ - loop_start_);
 }
 
 QuaternionJet DriverBoxActor::rotation(int segment, double time_s) const {

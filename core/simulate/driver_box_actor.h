@@ -48,7 +48,7 @@ class DriverBoxActor {
   [[nodiscard]] const std::vector<WornPlace>& boards() const { return boards_; }
   [[nodiscard]] const std::vector<WornPlace>& sources() const { return sources_; }
 
-  /// All segments at a time; beyond the motion's end it repeats without a jump.
+  /// All segments at a time; beyond the motion's end it repeats without a jump and without the rest before it.
   void frames(double time_s, std::vector<FrameJet>& frames) const;
   /// A worn thing's frame, given its segment's.
   [[nodiscard]] static FrameJet placed(const WornPlace& place, const FrameJet& segment);
@@ -61,7 +61,7 @@ class DriverBoxActor {
 
   body::Skeleton skeleton_;
   SequenceMotion motion_;
-  double duration_ = 0.0, loop_end_ = 0.0;
+  double duration_ = 0.0, loop_start_ = 0.0, loop_end_ = 0.0;
   std::vector<Quaterniond> rest_error_;
   std::vector<WornPlace> boards_, sources_;
   std::vector<std::vector<int>> chains_;  // of segments, root first

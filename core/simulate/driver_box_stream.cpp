@@ -1,7 +1,9 @@
 #include "simulate/driver_box_stream.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "base/units.h"
@@ -35,13 +37,6 @@ double drawn(Random& random, double sigma) {
   return sigma * std::clamp(random.normal(), -3.0, 3.0);
 }
 
-Vector3d drawn_vector(Random& random, double sigma) {
-  const double x = drawn(random, sigma);
-  const double y = drawn(random, sigma);
-  const double z = drawn(random, sigma);
-  return {x, y, z};
-}
-
 double radiated(const std::vector<double>& radiation, double angle) {
   const double place = std::clamp(angle * 18.0 / kPi, 0.0, 18.0);
   const auto below = std::min<std::size_t>(static_cast<std::size_t>(place), 17);
@@ -58,65 +53,6 @@ double air_speed_of_sound(double temperature_c, double relative_humidity) {
   return 331.3 * std::sqrt(1.0 + temperature_c / 273.15) * (1.0 + 0.16 * saturation * relative_humidity);
 }
 
-// The chips of a board: bias, scale and noise, down to 12-bit readings.
-struct DriverBoxStream::Chip {
-  Chip(const body::DriverBoxSignal& box, const DriverBoxErrors& all_errors, std::uint64_t seed, int board)
-      : errors(all_errors),
-        gyroscope_lsb(box.gyroscope_range_rad_s / acquire::kReadingLimit),
-        accelerometer_lsb(box.accelerometer_range_g * kStandardGravity / acquire::kReadingLimit),
-        frame_s(1.0 / box.word_rate_hz),
-        noise(seed, "chip noise " + std::to_string(board)),
-        walk(seed, "bias walk " + std::to_string(board)) {
-    Random parts(seed, "chip " + std::to_string(board));
-    bias = drawn_vector(parts, all_errors.gyroscope_bias);
-    gyroscope_scale = drawn_vector(parts, all_errors.gyroscope_scale);
-    g_sensitivity = drawn_vector(parts, all_errors.gyroscope_g);
-    offset = drawn_vector(parts, all_errors.accelerometer_offset);
-    for (Eigen::Index row = 0; row < 3; ++row) {
-      for (Eigen::Index column = 0; column < 3; ++column) {
-        M(row, column) = row == column ? 1.0 + drawn(parts, all_errors.accelerometer_scale)
-                                       : drawn(parts, all_errors.accelerometer_cross_axis);
-      }
-    }
-  }
-
-  int quantised(double value, double lsb, double sigma) {
-    const double limit = acquire::kReadingLimit;
-    if (!errors.accumulates) {
-      const double read = value / lsb + (sigma > 0.0 ? sigma / lsb * noise.normal() : 0.0);
-      return static_cast<int>(std::lround(std::clamp(read, -limit, limit - 1.0)));
-    }
-    int sum = 0;
-    for (int i = 0; i < 4; ++i) {
-      const double read = 0.25 * value / lsb + 0.5 * sigma / lsb * noise.normal();  // in steps of 10 bits
-      sum += static_cast<int>(std::lround(std::clamp(read, -0.25 * limit, 0.25 * limit - 1.0)));
-    }
-    return sum;
-  }
-
-  WordReading read(const ChipTruth& truth) {
-    for (Eigen::Index axis = 0; axis < 3 && errors.gyroscope_bias_walk > 0.0; ++axis) {
-      bias[axis] += errors.gyroscope_bias_walk * std::sqrt(frame_s) * walk.normal();
-    }
-    const Vector3d w = truth.w_S + gyroscope_scale.cwiseProduct(truth.w_S) + bias +
-                       g_sensitivity.cwiseProduct(truth.f_S) / kStandardGravity;
-    const Vector3d f = M * truth.f_S + offset;
-    WordReading reading{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<Eigen::Index>(axis);
-      reading[axis] = quantised(w[i], gyroscope_lsb, errors.gyroscope_noise);
-      reading[3 + axis] = quantised(f[i], accelerometer_lsb, errors.accelerometer_noise);
-    }
-    return reading;
-  }
-
-  DriverBoxErrors errors;
-  double gyroscope_lsb, accelerometer_lsb, frame_s;
-  Random noise, walk;
-  Vector3d bias, gyroscope_scale, g_sensitivity, offset;
-  Eigen::Matrix3d M;
-};
-
 DriverBoxStream::~DriverBoxStream() = default;
 
 DriverBoxStream::DriverBoxStream(const body::Rig& rig, std::shared_ptr<const DriverBoxActor> actor,
@@ -124,6 +60,7 @@ DriverBoxStream::DriverBoxStream(const body::Rig& rig, std::shared_ptr<const Dri
     : box_(rig.driver_box.value()),
       errors_(errors),
       actor_(std::move(actor)),
+      crew_(std::make_unique<Crew>(1)),
       pulse_(box_),
       entered_(air_speed_of_sound(temperature_c, kHumidity)),
       keys_(seed, "keys"),
@@ -139,6 +76,8 @@ DriverBoxStream::DriverBoxStream(const body::Rig& rig, std::shared_ptr<const Dri
     const double in_band = 0.5 * peak * peak * std::pow(10.0, -errors.snr_db / 10.0);
     noise_ = std::sqrt(in_band * 0.5 * box_.rate_hz / kBand);
   }
+  schedule_.resize(std::max<std::size_t>(1, rig.sources.size()));
+  std::iota(schedule_.begin(), schedule_.end(), std::uint8_t{0});
   Random delays(seed, "source delay");
   Random curves(seed, "source phase");
   Random levels(seed, "source level");
@@ -158,16 +97,19 @@ DriverBoxStream::DriverBoxStream(const body::Rig& rig, std::shared_ptr<const Dri
   Random ears(seed, "ears");
   for (int w = 0; w < static_cast<int>(rig.microphones.size()); ++w) {
     Random clock(seed, "word clock " + std::to_string(w));
-    auto chip = std::make_unique<Chip>(box_, errors, seed, w);
-    Chip* const chips = chip.get();
+    auto chip = std::make_unique<BoardChip>(box_, errors, seed, w);
+    BoardChip* const chips = chip.get();
     const auto read = [this, chips, w](double time_s) { return chips->read(actor_->chip(w, std::max(0.0, time_s))); };
     const WordLineErrors word_errors{clock.uniform(-1.0, 1.0) * errors.word_clock, errors.word_drift,
                                      errors.word_bit_errors};
     wires_.push_back(std::unique_ptr<Wire>(
-        new Wire{std::move(chip), WordLine(box_.word_rate_hz, word_errors, seed, w, read),
+        new Wire{std::move(chip),
+                 WordLine(box_.word_rate_hz, word_errors, seed, w, read),
                  Random(seed, "noise " + std::to_string(w)),
-                 std::vector<float>(2 * memory_ + 64 * static_cast<std::size_t>(box_.slot_samples)), 0,
-                 ears.uniform(0.3, 1.0)}));
+                 std::vector<float>(2 * memory_ + 64 * static_cast<std::size_t>(box_.slot_samples)),
+                 0,
+                 ears.uniform(0.3, 1.0),
+                 {}}));
   }
   if (errors.floor_echo > 0.0) {
     mirrors_.push_back({Vector3d::UnitZ(), 0.0, errors.floor_echo});
@@ -195,10 +137,13 @@ void DriverBoxStream::add_pulse(Wire& wire, double arrival_s, double rate_of_tim
              static_cast<double>(first) / box_.rate_hz - arrival_s, 1.0 / box_.rate_hz, rate_of_time, amplitude, phase);
 }
 
+// Where everything is when the slot begins, and who fires; the wires then hear it, each for itself.
 void DriverBoxStream::emit() {
+  emission_.number = schedule_[static_cast<std::size_t>(slot_ % static_cast<std::int64_t>(schedule_.size()))];
+  if (emission_.number >= sources_.size()) {
+    return;
+  }
   const double time = static_cast<double>(position()) / box_.rate_hz;
-  const auto number = static_cast<std::size_t>(slot_ % static_cast<std::int64_t>(sources_.size()));
-  const SourceTruth& source = sources_[number];
   actor_->frames(time, frames_);
   capsules_.clear();
   if (errors_.occlusion) {
@@ -210,66 +155,71 @@ void DriverBoxStream::emit() {
       }
     }
   }
-  const WornPlace& mount = actor_->sources()[number];
-  const FrameJet from = DriverBoxActor::placed(mount, frames_[static_cast<std::size_t>(mount.segment)]);
-  const Vector3d s = from.p_W.v;
-  const Vector3d normal = from.R_W.v * mount.normal_S;
-  PulseTruth truth{position(), static_cast<int>(number), {}};
-  for (std::size_t w = 0; w < wires_.size(); ++w) {
-    const WornPlace& board = actor_->boards()[w];
-    const FrameJet to = DriverBoxActor::placed(board, frames_[static_cast<std::size_t>(board.segment)]);
-    // One way of sound: from a point that moves with `velocity` to the moving microphone.
-    struct Way {
-      double range, rate;
-      Vector3d m;
-    };
-    const auto way = [&](const Vector3d& start, const Vector3d& velocity) {
-      double flight = (to.p_W.v - start).norm() / speed_;
-      Vector3d m;
-      for (int i = 0; i < 6; ++i) {
-        m = to.p_W.v + flight * to.p_W.d + 0.5 * flight * flight * to.p_W.dd;
-        flight = std::max(kNearest, (m - start).norm()) / speed_;
-      }
-      const Vector3d u = (m - start).normalized();
-      const Vector3d m_velocity = to.p_W.d + flight * to.p_W.dd;
-      const double rate = u.dot(m_velocity - velocity) / (1.0 - u.dot(m_velocity) / speed_);
-      return Way{flight * speed_, rate, m};
-    };
-    const auto hear = [&](const Way& along, const Vector3d& leaves, double gain) {
-      const double off = std::acos(std::clamp(leaves.dot(normal), -1.0, 1.0));
-      const double u = off / kSixtyDegrees;
-      const double turn = std::min(1.5, u) * std::min(1.5, u) * (source.phase + source.phase_2 * std::min(1.5, u));
-      const double amplitude = gain * source.level * radiated(box_.radiation, off) * box_.source_level_m / along.range *
-                               std::pow(10.0, -box_.absorption_db_m * along.range / 20.0);
-      // Emission t' seconds after the start is heard at arrival + t' (1 + rate / c).
-      add_pulse(*wires_[w], along.range / speed_ + source.delay_s * (1.0 + along.rate / speed_),
-                1.0 / (1.0 + along.rate / speed_), amplitude, turn);
-    };
-    const Way direct = way(s, from.p_W.d);
-    const Vector3d leaves = (direct.m - s).normalized();
-    const Shade by = shade(s, direct.m, capsules_, wavelength_);
-    Way bent = direct;
-    bent.range += by.detour;
-    hear(bent, leaves, std::pow(10.0, -by.loss_db / 20.0));
-    for (const Mirror& mirror : mirrors_) {
-      if (mirror.height(s) <= 0.0 || mirror.height(direct.m) <= 0.0) {
-        continue;
-      }
-      const Vector3d image_velocity = from.p_W.d - 2.0 * mirror.normal.dot(from.p_W.d) * mirror.normal;
-      const Way echo = way(mirror.image(s), image_velocity);
-      if (echo.range > kLongestPath) {
-        continue;
-      }
-      const double a = mirror.height(s);
-      const Vector3d hit = s + a / (a + mirror.height(echo.m)) * (mirror.image(echo.m) - s);
-      const double loss =
-          shade(s, hit, capsules_, wavelength_).loss_db + shade(hit, echo.m, capsules_, wavelength_).loss_db;
-      hear(echo, (hit - s).normalized(), mirror.reflection * std::pow(10.0, -loss / 20.0));
-    }
-    truth.pairs.push_back(
-        {direct.range, direct.rate, by.loss_db, std::acos(std::clamp(leaves.dot(normal), -1.0, 1.0))});
+  const WornPlace& mount = actor_->sources()[emission_.number];
+  emission_.from = DriverBoxActor::placed(mount, frames_[static_cast<std::size_t>(mount.segment)]);
+  emission_.normal = emission_.from.R_W.v * mount.normal_S;
+  pulses_.push_back({position(), static_cast<int>(emission_.number), std::vector<PairTruth>(wires_.size())});
+}
+
+// One way of sound: from a point that moves with `velocity` to the moving microphone.
+struct DriverBoxStream::Way {
+  double range, rate;
+  Vector3d m;
+};
+
+DriverBoxStream::Way DriverBoxStream::way(const Vector3d& start, const Vector3d& velocity, const FrameJet& to) const {
+  double flight = (to.p_W.v - start).norm() / speed_;
+  Vector3d m;
+  for (int i = 0; i < 6; ++i) {
+    m = to.p_W.v + flight * to.p_W.d + 0.5 * flight * flight * to.p_W.dd;
+    flight = std::max(kNearest, (m - start).norm()) / speed_;
   }
-  pulses_.push_back(std::move(truth));
+  const Vector3d u = (m - start).normalized();
+  const Vector3d m_velocity = to.p_W.d + flight * to.p_W.dd;
+  const double rate = u.dot(m_velocity - velocity) / (1.0 - u.dot(m_velocity) / speed_);
+  return {flight * speed_, rate, m};
+}
+
+void DriverBoxStream::hear(std::size_t w, const Way& along, const Vector3d& leaves, double gain) {
+  const SourceTruth& source = sources_[emission_.number];
+  const double off = std::acos(std::clamp(leaves.dot(emission_.normal), -1.0, 1.0));
+  const double u = std::min(1.5, off / kSixtyDegrees);
+  const double turn = u * u * (source.phase + source.phase_2 * u);
+  const double amplitude = gain * source.level * radiated(box_.radiation, off) * box_.source_level_m / along.range *
+                           std::pow(10.0, -box_.absorption_db_m * along.range / 20.0);
+  // Emission t' seconds after the start is heard at arrival + t' (1 + rate / c).
+  add_pulse(*wires_[w], along.range / speed_ + source.delay_s * (1.0 + along.rate / speed_),
+            1.0 / (1.0 + along.rate / speed_), amplitude, turn);
+}
+
+void DriverBoxStream::receive(std::size_t w) {
+  const Vector3d s = emission_.from.p_W.v;
+  const WornPlace& board = actor_->boards()[w];
+  const FrameJet to = DriverBoxActor::placed(board, frames_[static_cast<std::size_t>(board.segment)]);
+  const Way direct = way(s, emission_.from.p_W.d, to);
+  const Vector3d leaves = (direct.m - s).normalized();
+  const Shade by = shade(s, direct.m, capsules_, wavelength_);
+  Way bent = direct;
+  bent.range += by.detour;
+  hear(w, bent, leaves, std::pow(10.0, -by.loss_db / 20.0));
+  for (const Mirror& mirror : mirrors_) {
+    if (mirror.height(s) <= 0.0 || mirror.height(direct.m) <= 0.0) {
+      continue;
+    }
+    const Vector3d image_velocity =
+        emission_.from.p_W.d - 2.0 * mirror.normal.dot(emission_.from.p_W.d) * mirror.normal;
+    const Way echo = way(mirror.image(s), image_velocity, to);
+    if (echo.range > kLongestPath) {
+      continue;
+    }
+    const double a = mirror.height(s);
+    const Vector3d hit = s + a / (a + mirror.height(echo.m)) * (mirror.image(echo.m) - s);
+    const double loss =
+        shade(s, hit, capsules_, wavelength_).loss_db + shade(hit, echo.m, capsules_, wavelength_).loss_db;
+    hear(w, echo, (hit - s).normalized(), mirror.reflection * std::pow(10.0, -loss / 20.0));
+  }
+  pulses_.back().pairs[w] = {direct.range, direct.rate, by.loss_db,
+                             std::acos(std::clamp(leaves.dot(emission_.normal), -1.0, 1.0))};
 }
 
 void DriverBoxStream::advance(Wire& wire) const {
@@ -327,33 +277,52 @@ void DriverBoxStream::disturb() {
   }
 }
 
+// What one wire carries in this slot.
+void DriverBoxStream::sample(std::size_t w, std::span<std::int16_t> out) {
+  const auto slot = static_cast<std::size_t>(box_.slot_samples);
+  const auto noise = static_cast<float>(noise_);
+  const int below = 16 - box_.bits;  // bits that the converter lacks
+  const float steps = static_cast<float>(1 << (box_.bits - 1));
+  Wire& wire = *wires_[w];
+  std::vector<float>& line = wire.line;
+  line.assign(wire.sound.begin() + static_cast<std::ptrdiff_t>(wire.head),
+              wire.sound.begin() + static_cast<std::ptrdiff_t>(wire.head + slot));
+  advance(wire);
+  if (noise_ > 0.0) {
+    for (float& value : line) {
+      value += noise * quick_normal(wire.noise);
+    }
+  }
+  wire.words.add(line.data(), static_cast<int>(slot), box_.rate_hz, box_.word_amplitude);
+  for (std::size_t n = 0; n < slot; ++n) {
+    const float value = std::clamp(line[n] * steps, -steps, steps - 1.0F);
+    out[n * wires_.size() + w] = static_cast<std::int16_t>(static_cast<int>(std::lrintf(value)) * (1 << below));
+  }
+}
+
 void DriverBoxStream::next_slot(std::span<std::int16_t> out) {
+  emission_.number = SIZE_MAX;
   if (!sources_.empty()) {
     emit();
   }
   disturb();
-  const auto slot = static_cast<std::size_t>(box_.slot_samples);
-  const std::size_t wires = wires_.size();
-  const auto noise = static_cast<float>(noise_);
-  const int below = 16 - box_.bits;  // bits that the converter lacks
-  const float steps = static_cast<float>(1 << (box_.bits - 1));
-  std::vector<float> line(slot);
-  for (std::size_t w = 0; w < wires; ++w) {
-    Wire& wire = *wires_[w];
-    std::copy_n(wire.sound.begin() + static_cast<std::ptrdiff_t>(wire.head), slot, line.begin());
-    advance(wire);
-    if (noise_ > 0.0) {
-      for (float& sample : line) {
-        sample += noise * quick_normal(wire.noise);
-      }
+  const bool fired = emission_.number < sources_.size();
+  crew_->each(wires_.size(), [&](std::size_t w) {
+    if (fired) {
+      receive(w);
     }
-    wire.words.add(line.data(), static_cast<int>(slot), box_.rate_hz, box_.word_amplitude);
-    for (std::size_t n = 0; n < slot; ++n) {
-      const float value = std::clamp(line[n] * steps, -steps, steps - 1.0F);
-      out[n * wires + w] = static_cast<std::int16_t>(static_cast<int>(std::lrintf(value)) * (1 << below));
-    }
-  }
+    sample(w, out);
+  });
   ++slot_;
+}
+
+void DriverBoxStream::set_threads(int threads) {
+  crew_ = std::make_unique<Crew>(std::max(1, threads));
+}
+
+void DriverBoxStream::set_schedule(const std::vector<std::uint8_t>& schedule) {
+  assert(!schedule.empty());
+  schedule_ = schedule;
 }
 
 std::vector<PulseTruth> DriverBoxStream::take_pulses() {

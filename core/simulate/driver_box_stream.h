@@ -8,6 +8,8 @@
 
 #include "body/rig.h"
 #include "calibrate/ranging_calibration.h"
+#include "simulate/board_chip.h"
+#include "simulate/crew.h"
 #include "simulate/driver_box_actor.h"
 #include "simulate/driver_box_errors.h"
 #include "simulate/random.h"
@@ -38,12 +40,17 @@ struct SourceTruth {
   double level = 1.0;
 };
 
+/// Same rig, actor, errors and seed: the same samples, on however many threads.
 class DriverBoxStream {
  public:
   /// `rig` has a driver box. The first source fires at sample 0.
   DriverBoxStream(const body::Rig& rig, std::shared_ptr<const DriverBoxActor> actor, const DriverBoxErrors& errors,
                   double temperature_c, std::uint64_t seed);
   ~DriverBoxStream();
+
+  void set_threads(int threads);  ///< That make the wires; 1 at first.
+  /// Which source fires in which slot, again and again; what is no source is silence. Before the first slot.
+  void set_schedule(const std::vector<std::uint8_t>& schedule);
 
   [[nodiscard]] int wires() const { return static_cast<int>(wires_.size()); }
   [[nodiscard]] int slot_samples() const { return box_.slot_samples; }
@@ -61,16 +68,27 @@ class DriverBoxStream {
   }
 
  private:
-  struct Chip;
+  struct Way;
   struct Wire {
-    std::unique_ptr<Chip> chip;
+    std::unique_ptr<BoardChip> chip;
     WordLine words;
     Random noise;
     std::vector<float> sound;  // what is still to come; the present slot begins at `head`
     std::size_t head = 0;
     double ear = 1.0;  // how much of disturbances it hears
+    std::vector<float> line;
+  };
+  // The pulse of the present slot.
+  struct Emission {
+    std::size_t number = 0;  // of the source; beyond the sources: none
+    FrameJet from;
+    Vector3d normal;
   };
   void emit();
+  void receive(std::size_t wire);
+  void sample(std::size_t wire, std::span<std::int16_t> out);
+  [[nodiscard]] Way way(const Vector3d& start, const Vector3d& velocity, const FrameJet& to) const;
+  void hear(std::size_t wire, const Way& along, const Vector3d& leaves, double gain);
   void disturb();
   void advance(Wire& wire) const;
   [[nodiscard]] std::size_t room(const Wire& wire) const { return wire.sound.size() - wire.head; }
@@ -79,11 +97,14 @@ class DriverBoxStream {
   body::DriverBoxSignal box_;
   DriverBoxErrors errors_;
   std::shared_ptr<const DriverBoxActor> actor_;
+  std::unique_ptr<Crew> crew_;
   SoundPulse pulse_;
   double speed_, entered_, wavelength_;
   double noise_ = 0.0;      // RMS of a sample
   std::size_t memory_ = 0;  // samples ahead that a wire keeps
   std::vector<SourceTruth> sources_;
+  std::vector<std::uint8_t> schedule_;
+  Emission emission_;
   std::vector<std::unique_ptr<Wire>> wires_;
   std::vector<Mirror> mirrors_;
   std::vector<PulseTruth> pulses_;

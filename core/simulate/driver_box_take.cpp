@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "base/json_text.h"
 #include "base/units.h"
@@ -161,6 +163,7 @@ Status simulate_driver_box_take(const std::filesystem::path& folder, const Simul
     return actor.error();
   }
   DriverBoxStream stream(*rig, *actor, errors, settings.temperature_c, settings.seed);
+  stream.set_threads(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U)));
   const double seconds = settings.seconds > 0.0 ? settings.seconds : (*actor)->duration();
   const auto slots = static_cast<std::int64_t>(std::ceil(seconds * rig->driver_box->rate_hz / stream.slot_samples()));
 

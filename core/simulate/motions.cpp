@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "geometry/so3.h"
+#include "simulate/joint_blend.h"
 
 namespace limbwave::simulate {
 
@@ -110,7 +111,10 @@ QuaternionJet SequenceMotion::rotation(int segment, double time_s) const {
     return qa;
   }
   const Part& b = parts_[i + 1];
-  return blend(qa, b.motion->rotation(segment, time_s - b.start), smooth_step(time_s, a.end, b.start - a.end));
+  const QuaternionJet qb = b.motion->rotation(segment, time_s - b.start);
+  const Jet weight = smooth_step(time_s, a.end, b.start - a.end);
+  return skeleton_.segments.empty() ? blend(qa, qb, weight)
+                                    : blend(skeleton_.segments[static_cast<std::size_t>(segment)], qa, qb, weight);
 }
 
 VectorJet SequenceMotion::root_position(double time_s) const {

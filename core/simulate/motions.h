@@ -81,6 +81,8 @@ class PoseMotion : public BodyMotion {
 /// One motion after the other; each pair blended into each other over a gap between them.
 class SequenceMotion : public BodyMotion {
  public:
+  /// Keeps to the joints of a skeleton between the parts, which keep to them as well.
+  void keep_to_joints_of(body::Skeleton skeleton) { skeleton_ = std::move(skeleton); }
   /// Appends; its time 0 comes `gap_s` after the end of what is there. Returns when it starts.
   double append(std::shared_ptr<const BodyMotion> motion, double gap_s);
   [[nodiscard]] double duration() const override;
@@ -94,6 +96,7 @@ class SequenceMotion : public BodyMotion {
   };
   [[nodiscard]] std::size_t part_before(double time_s) const;
   std::vector<Part> parts_;
+  body::Skeleton skeleton_;
 };
 
 /// World orientations when every joint rests.

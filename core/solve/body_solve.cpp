@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json_reader.h"
 #include "base/units.h"
+#include "estimate/sensor_mixup.h"
 #include "solve/driver_box.h"
 #include "take/body_log.h"
 
@@ -81,12 +82,13 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
   p.use_accelerometers = uses('A');
   p.use_gyroscopes = uses('G');
   p.use_ranges = uses('D');
-  p.root = settings.root == "fixed"  ? estimate::RootMode::kFixed
-           : settings.root == "free" ? estimate::RootMode::kFree
-                                     : estimate::RootMode::kGiven;
+  const bool free = settings.root == "free" || settings.root == "contacts";
+  p.root = settings.root == "fixed" ? estimate::RootMode::kFixed
+           : free                   ? estimate::RootMode::kFree
+                                    : estimate::RootMode::kGiven;
   if (model.skeleton.segments.size() == 1) {
     // A single thing in somebody's hand: where its sensor sits on it is all that is known, and it stays in reach.
-    p.mount_rotation = p.mount_place = p.bone_scale = 0.0;
+    p.mount_rotation = p.mount_place = p.bone_scale = p.tissue_angle = p.acceleration_time = 0.0;
     p.root_speed = 0.3;
     p.root_reach = 0.15;
     p.acceleration_walk = 20000.0;
@@ -101,6 +103,98 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
   }
   return p;
 }
+
+estimate::BodyWatchParameters watch_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings) {
+  estimate::BodyWatchParameters watch;
+  watch.rest.mode = settings.start;
+  watch.contacts.feet = settings.root == "contacts";
+  watch.stillness = model.skeleton.segments.size() > 1;  // a thing in a hand moves slowly without being still
+  return watch;
+}
+
+namespace {
+
+struct Ran {
+  estimate::BodyRun run;
+  Diagnostics found;
+  std::vector<int> suspects;
+};
+
+// Once through the readings.
+Result<Ran> run_once(const estimate::BodyModel& model, const estimate::BodyFilterParameters& parameters,
+                     const estimate::BodyReadings& readings, const BodySolveSettings& settings,
+                     const Progress& progress) {
+  estimate::BodyWatch watch(model, watch_parameters(model, settings));
+  if (!settings.resume.empty()) {
+    const Result<std::string> text = read_file(settings.resume, std::size_t{1} << 28);
+    if (!text) {
+      return text.error();
+    }
+    Result<estimate::BodyMind> mind = estimate::mind_from_text(*text, settings.resume);
+    if (!mind) {
+      return mind.error();
+    }
+    watch.resume_from(*std::move(mind));
+  }
+  Result<estimate::BodyRun> run =
+      settings.smooth ? estimate::smooth_body(model, parameters, readings, settings.rate_hz, progress, 1.5, &watch)
+                      : estimate::filter_body(model, parameters, readings, settings.rate_hz, progress, &watch);
+  if (!run) {
+    Error error = run.error();
+    error.place = error.place.empty() && !is_cancelled(error) ? settings.resume : error.place;
+    return error;
+  }
+  if (!settings.save_state.empty() && watch.last_mind()) {
+    if (Status saved = write_file(settings.save_state, estimate::mind_to_text(*watch.last_mind())); !saved) {
+      return saved.error();
+    }
+  }
+  std::vector<int> suspects = estimate::suspicious_boards(model, *run, watch);
+  return Ran{*std::move(run), watch.findings(), std::move(suspects)};
+}
+
+// The same; and again, where two sensors are exchanged or one is turned.
+Result<Ran> run_and_put_right(const estimate::BodyModel& model, const estimate::BodyFilterParameters& parameters,
+                              estimate::BodyReadings& readings, const BodySolveSettings& settings,
+                              const Progress& progress) {
+  Result<Ran> ran = run_once(model, parameters, readings, settings, progress.part(0.0, 0.6));
+  constexpr int kMost = 2;
+  Diagnostics told;
+  for (int i = 0; ran && i < kMost && !ran->suspects.empty() && settings.resume.empty() && model.boards.size() > 1;
+       ++i) {
+    const Result<std::optional<estimate::Mixup>> mixup = estimate::find_mixup(
+        model, parameters, watch_parameters(model, settings), readings, ran->suspects, progress.part(0.6, 0.8));
+    if (!mixup) {
+      return mixup.error();
+    }
+    if (!mixup->has_value()) {
+      break;
+    }
+    told.push_back(estimate::tell(**mixup, model));
+    estimate::undo_mixup(**mixup, readings);
+    ran = run_once(model, parameters, readings, settings, progress.part(0.8, 1.0));
+  }
+  if (ran) {
+    ran->found.insert(ran->found.begin(), told.begin(), told.end());
+  }
+  return ran;
+}
+
+// How far the root may be off in the end: said, not hidden.
+void report_drift(const estimate::BodyTrack& track, const std::string& root, Diagnostics& diagnostics) {
+  if (track.root_sigma.empty() || (root != "free" && root != "contacts")) {
+    return;
+  }
+  const Eigen::Vector3d& sigma = track.root_sigma.back();
+  diagnostics.push_back(
+      {Severity::kInfo, "body.root-drift",
+       fmt::format("the root's place is uncertain by {:.2f} m along the ground and {:.2f} m in height "
+                   "at the end (1 σ)",
+                   std::hypot(sigma.x(), sigma.y()), sigma.z()),
+       root == "free" ? "choose --root contacts for somebody who walks, or give the root's path" : "", ""});
+}
+
+}  // namespace
 
 Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings, const BodySolveSettings& settings,
                          const Progress& progress) {
@@ -120,12 +214,16 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
     parameters.reading_delay_s =
         0.5 * (inertial.back().time_s - inertial.front().time_s) / static_cast<double>(inertial.size() - 1);
   }
-  Result<estimate::BodyRun> run = settings.smooth
-                                      ? estimate::smooth_body(model, parameters, readings, settings.rate_hz, progress)
-                                      : estimate::filter_body(model, parameters, readings, settings.rate_hz, progress);
-  if (!run) {
-    return run.error();
+  if (settings.smooth && !settings.resume.empty()) {
+    return Error{"a smoother looks to both sides and cannot resume", settings.resume, "choose the filter"};
   }
+  Result<Ran> ran = run_and_put_right(model, parameters, readings, settings, progress);
+  if (!ran) {
+    Error error = ran.error();
+    error.place = error.place.empty() && !is_cancelled(error) ? take.folder.string() : error.place;
+    return error;
+  }
+  const estimate::BodyRun* run = &ran->run;
   Solve solve;
   solve.settings.name = settings.name;
   solve.settings.smoothing = Smoothing::kNone;
@@ -147,6 +245,8 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   clip.root_position.times = track.times;
   clip.root_position.values = track.root_p_W;
   solve.report.diagnostics = run->diagnostics;
+  solve.report.diagnostics.insert(solve.report.diagnostics.end(), ran->found.begin(), ran->found.end());
+  report_drift(track, settings.root, solve.report.diagnostics);
   for (std::size_t b = 0; b < model.boards.size(); ++b) {
     report_counts("gyroscope", model.boards[b].name, run->gyroscopes[b], solve.report.diagnostics);
     report_counts("accelerometer", model.boards[b].name, run->accelerometers[b], solve.report.diagnostics);

@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "estimate/body_smoother.h"
+#include "estimate/body_watch.h"
 #include "solve/solve.h"
 
 namespace limbwave::solve {
@@ -13,14 +14,21 @@ struct BodySolveSettings {
   std::string name = "default";
   std::string sensors = "AGD";  ///< Any of A, G and D.
   bool smooth = false;          ///< Both directions.
-  std::string root = "free";    ///< "truth", "fixed", "free", or a CSV file with the root's path.
+  std::string root = "free";    ///< "truth", "fixed", "contacts", "free", or a CSV file with the root's path.
   double rate_hz = 120.0;       ///< Poses a second of the clip at most.
+  estimate::StartMode start = estimate::StartMode::kAny;
+  std::string resume = {};      ///< File with the state to resume from; empty: from the beginning. Not with `smooth`.
+  std::string save_state = {};  ///< File to save the last state to; empty: none.
 };
 
 /// The parameters that suit a model: what a rig of one free sensor needs is not what a body needs.
 estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings);
 
-/// Solves readings on the take's skeleton. Fails when nothing of the chosen sensors is there, or the root is not.
+/// What is done around the filter's steps (estimate/body_watch.h) for these settings, live and offline.
+estimate::BodyWatchParameters watch_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings);
+
+/// Solves readings on the take's skeleton. Boards that turn out to be exchanged or turned are put right, and told.
+/// Fails when nothing of the chosen sensors is there, or the root is not.
 Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings, const BodySolveSettings& settings,
                          const Progress& progress);
 /// The same for a take of kind "log", or of kind "driver-box", which is decoded first.

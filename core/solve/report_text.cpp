@@ -112,7 +112,7 @@ nlohmann::json report_to_json(const Solve& solve) {
                            {"time_s", diagnostic.time_s}});
   }
   const decode::LineInStatus& line = report.line;
-  return {
+  nlohmann::json json = {
       {"calibration", report.calibration},
       {"sensors", sensors},
       {"line",
@@ -132,11 +132,20 @@ nlohmann::json report_to_json(const Solve& solve) {
         {"clipped_slots", line.clipped_slots}}},
       {"diagnostics", diagnostics},
       {"seconds", {{"take", report.take_seconds}, {"decode", report.decode_seconds}, {"solve", report.solve_seconds}}}};
+  if (report.used_calibration) {
+    json["used_calibration"] = calibrate::calibration_to_json(*report.used_calibration);
+  }
+  return json;
 }
 
 QualityReport report_from_json(const nlohmann::json& json) {
   QualityReport report;
   report.calibration = json.value("calibration", "");
+  if (const auto used = json.find("used_calibration"); used != json.end()) {
+    if (Result<calibrate::RigCalibration> read = calibrate::calibration_from_json(*used, "report"); read) {
+      report.used_calibration = std::move(read).value();
+    }
+  }
   for (const nlohmann::json& entry : json.value("sensors", nlohmann::json::array())) {
     report.sensors.push_back({entry.value("sensor", ""), entry.value("usable", 0.0), entry.value("trusted", 0.0),
                               entry.value("mean_norm_g", 0.0)});

@@ -87,6 +87,7 @@ Result<Solve> solve_take(const take::Take& take, const SolveSettings& settings, 
   solve.report.diagnostics.insert(solve.report.diagnostics.end(), chosen->diagnostics.begin(),
                                   chosen->diagnostics.end());
   solve.report.calibration = chosen->explanation;
+  solve.report.used_calibration = chosen->calibration;
   if (chosen->source == "snapshot" || chosen->source == "library") {
     correct_gain(frames, chosen->calibration, solve.report.diagnostics);
   }

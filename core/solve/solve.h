@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "calibrate/calibration.h"
 #include "decode/line_in.h"
 #include "estimate/inclination.h"
 #include "motion/clip.h"
@@ -26,7 +28,7 @@ struct HeadingKey {
 
 struct SolveSettings {
   std::string name = "default";
-  Smoothing smoothing = Smoothing::kAdaptive;
+  Smoothing smoothing = Smoothing::kChain;
   double smoothing_s = 0.08;                      ///< Time scale; longer is smoother.
   std::vector<std::vector<HeadingKey>> headings;  ///< One list per segment; may be empty.
   decode::LineInParameters line_in;
@@ -45,6 +47,8 @@ struct SensorQuality {
 
 struct QualityReport {
   std::string calibration;  ///< Where it came from, for people.
+  /// What was used, before the gain was corrected; none in solves that were stored without it.
+  std::optional<calibrate::RigCalibration> used_calibration;
   std::vector<SensorQuality> sensors;
   decode::LineInStatus line;
   Diagnostics diagnostics;
@@ -68,6 +72,12 @@ Status save_solve(const take::Take& take, const Solve& solve);
 Result<Solve> load_solve(const take::Take& take, const std::string& name);
 /// The settings of a stored solve alone, with the user's heading keys: they may be whole where the clip is not.
 Result<SolveSettings> load_solve_settings(const take::Take& take, const std::string& name);
+/// Keeps headings that were set while the take was being recorded beside its samples, until a solve carries them.
+Status save_live_headings(const std::filesystem::path& take_folder,
+                          const std::vector<std::vector<HeadingKey>>& headings);
+/// The user's headings that a new solve of that name begins with: of the stored one, else those set while it was
+/// recorded, else none.
+std::vector<std::vector<HeadingKey>> known_headings(const take::Take& take, const std::string& name);
 /// Renames a stored solve that cannot be read to "NAME.damaged-1" (or the next free number) beside it, so that nothing
 /// overwrites it; `list_solves` passes it over. Returns its new folder.
 Result<std::filesystem::path> set_solve_aside(const take::Take& take, const std::string& name);

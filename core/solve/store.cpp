@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kOld = ".old";
 constexpr const char* kDamaged = ".damaged-";
+constexpr const char* kLiveHeadings = "live_headings.json";
 
 Status check_name(const std::string& name) {
   const bool plain =
@@ -160,6 +161,24 @@ Result<SolveSettings> load_solve_settings(const take::Take& take, const std::str
     settings->name = name;
   }
   return settings;
+}
+
+Status save_live_headings(const fs::path& take_folder, const std::vector<std::vector<HeadingKey>>& headings) {
+  SolveSettings settings;
+  settings.headings = headings;
+  return write_file(take_folder / kLiveHeadings, json_text(settings_to_json(settings), 2) + "\n");
+}
+
+std::vector<std::vector<HeadingKey>> known_headings(const take::Take& take, const std::string& name) {
+  if (Result<SolveSettings> stored = load_solve_settings(take, name)) {
+    return std::move(stored->headings);
+  }
+  const Result<nlohmann::json> json = load_json(take.folder / kLiveHeadings);
+  if (!json) {
+    return {};
+  }
+  Result<SolveSettings> live = settings_from_json(*json, (take.folder / kLiveHeadings).string());
+  return live ? std::move(live->headings) : std::vector<std::vector<HeadingKey>>();
 }
 
 Result<fs::path> set_solve_aside(const take::Take& take, const std::string& name) {

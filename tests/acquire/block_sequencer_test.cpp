@@ -1,9 +1,10 @@
+#include "acquire/block_sequencer.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <random>
-
-#include "acquire/driver_box.h"
 
 namespace limbwave::acquire {
 namespace {
@@ -24,6 +25,17 @@ BoxBlock block_at(std::int64_t number, std::uint64_t connected = 3) {
   return block;
 }
 
+std::vector<std::int16_t> spelled_out(const std::vector<BoxPiece>& pieces) {
+  std::vector<std::int16_t> samples;
+  for (const BoxPiece& piece : pieces) {
+    samples.insert(samples.end(), static_cast<std::size_t>(2 * piece.lost), 0);
+    const std::size_t old = samples.size();
+    samples.resize(old + piece.bytes.size() / 2);
+    std::memcpy(samples.data() + old, piece.bytes.data(), piece.bytes.size());
+  }
+  return samples;
+}
+
 struct Outcome {
   std::vector<std::int16_t> samples;
   std::vector<BoxEvent> events;
@@ -35,7 +47,7 @@ Outcome sequence(const std::vector<std::int64_t>& numbers) {
     sequencer.push(block_at(number));
   }
   sequencer.give_up();
-  return {sequencer.take_samples(), sequencer.take_events()};
+  return {spelled_out(sequencer.take_pieces()), sequencer.take_events()};
 }
 
 // Every sample is in its place, or zero within a gap that an event tells exactly.
@@ -121,9 +133,20 @@ TEST(BlockSequencer, ABoxThatRestartsGoesOnWhereItIsTold) {
   sequencer.restart(SampleIndex{35});
   sequencer.push(block_at(0));
   EXPECT_EQ(sequencer.position().value, 45);
-  const auto samples = sequencer.take_samples();
+  const auto samples = spelled_out(sequencer.take_pieces());
   EXPECT_EQ(samples[2 * 35], 1);
   EXPECT_EQ(samples[2 * 34], 0);
+}
+
+TEST(BlockSequencer, AGapOfDaysCostsNoMemory) {
+  BlockSequencer sequencer(2);
+  sequencer.push(block_at(0));
+  sequencer.push(block_at(std::int64_t{1} << 40U));
+  sequencer.give_up();
+  const auto pieces = sequencer.take_pieces();
+  ASSERT_EQ(pieces.size(), 2U);
+  EXPECT_EQ(pieces[1].lost, kFrames * ((std::int64_t{1} << 40U) - 1));
+  EXPECT_EQ(pieces[1].bytes.size(), 2U * 2U * kFrames);
 }
 
 TEST(BlockSequencer, AnyDisorderIsAccountedFor) {

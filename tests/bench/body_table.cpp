@@ -1,10 +1,13 @@
-// Table 1 of Vlasic et al. 2007 on simulated takes: all seven combinations of sensors, side by side with the paper.
-// body_table [MOTION] [ERRORS] [SECONDS] [SEED] [COMBINATIONS...]; prints, never decides.
+// Table 1 of Vlasic et al. 2007 on simulated takes, side by side with the paper. Prints, never decides.
+// body_table [key=value...]: motions, errors (profiles or files), seeds, sensors, methods (filter, smoother) are lists
+// with commas; rest, seconds are numbers; joints=1 adds a line per joint; any parameter of the filter by its name.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
+#include <sstream>
 
+#include "estimate/body_parameters.h"
 #include "support/body_runs.h"
 
 namespace {
@@ -33,116 +36,186 @@ T need(Result<T> result) {
   return std::move(result).value();
 }
 
-double tuned(const char* name, double otherwise) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? std::atof(value) : otherwise;
+std::vector<std::string> list(const std::string& text) {
+  std::vector<std::string> items;
+  std::istringstream in(text);
+  for (std::string item; std::getline(in, item, ',');) {
+    items.push_back(item);
+  }
+  return items;
+}
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct Settings {
+  std::vector<std::string> motions{"walk"}, errors{"paper"}, seeds{"1"}, methods{"filter"};
+  std::vector<std::string> sensors{"A", "AD", "D", "G", "GD", "AG", "AGD"};
+  double rest = 3.0, seconds = 0.0, metres = 0.0;
+  double times = 0.0;
+  bool joints = false, constants = false;
+  std::vector<std::pair<std::string, double>> parameters;
+};
+
+Settings parse(int argc, char** argv) {
+  Settings s;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const auto equal = argument.find('=');
+    const std::string key = argument.substr(0, equal);
+    const std::string value = equal == std::string::npos ? "" : argument.substr(equal + 1);
+    const double number = std::atof(value.c_str());
+    estimate::BodyFilterParameters known;
+    if (key == "motions") {
+      s.motions = list(value);
+    } else if (key == "errors") {
+      s.errors = list(value);
+    } else if (key == "seeds") {
+      s.seeds = list(value);
+    } else if (key == "sensors") {
+      s.sensors = list(value);
+    } else if (key == "methods") {
+      s.methods = list(value);
+    } else if (key == "rest") {
+      s.rest = number;
+    } else if (key == "seconds") {
+      s.seconds = number;
+    } else if (key == "metres") {
+      s.metres = number;
+    } else if (key == "joints") {
+      s.joints = number != 0.0;
+    } else if (key == "times") {
+      s.times = number;
+    } else if (key == "constants") {
+      s.constants = number != 0.0;
+    } else if (estimate::set_body_parameter(known, key, number)) {
+      s.parameters.emplace_back(key, number);
+    } else {
+      fmt::print(stderr, "what is {}?\n", argument);
+      std::exit(1);
+    }
+  }
+  return s;
+}
+
+// Mean / σ, and what the filter says of itself.
+std::string cell(const JointErrors& errors, const char* name) {
+  const auto& e = errors.by_name.at(name);
+  return fmt::format("{:6.2f}/{:5.2f}", e.mean(), e.sd());
+}
+
+// Means over stretches of time, a column a joint.
+void print_times(const testing_support::Wearer& wearer, const estimate::BodyTrack& track, double stretch) {
+  fmt::print("      s");
+  for (std::size_t i = 1; i < wearer.skeleton.segments.size(); ++i) {
+    fmt::print(" {:>7.7}",
+               wearer.skeleton.segments[i].name.substr(wearer.skeleton.segments[i].name.size() > 8 ? 2 : 0));
+  }
+  for (double t = 0.0; t < track.times.back(); t += stretch) {
+    const JointErrors errors = errors_of(wearer, track, t, t + stretch);
+    fmt::print("\n{:7.2f}", t);
+    for (std::size_t i = 1; i < wearer.skeleton.segments.size(); ++i) {
+      fmt::print(" {:7.2f}", errors.by_name.at(wearer.skeleton.segments[i].name).mean());
+    }
+  }
+  fmt::print("\n");
+}
+
+// How every board is really mounted, and what the filter believes at the end.
+void print_constants(const testing_support::Wearer& wearer, const estimate::BodyModel& model,
+                     const estimate::BodyState& last) {
+  const auto degrees3 = [](const Eigen::Vector3d& v) {
+    return fmt::format("{:6.2f} {:6.2f} {:6.2f}", degrees(v.x()), degrees(v.y()), degrees(v.z()));
+  };
+  const auto mm3 = [](const Eigen::Vector3d& v) {
+    return fmt::format("{:6.1f} {:6.1f} {:6.1f}", 1e3 * v.x(), 1e3 * v.y(), 1e3 * v.z());
+  };
+  for (std::size_t b = 0; b < model.boards.size(); ++b) {
+    const simulate::WornPlace& worn = wearer.actor->boards()[b];
+    const auto& board = model.boards[b];
+    fmt::print("   {:<16} mount {} ° believed {}   place {} mm believed {}\n", board.name,
+               degrees3(geometry::log_so3(board.R_LS.conjugate() * worn.R_LS)),
+               degrees3(geometry::log_so3(last.mount_rotation[b] * geometry::exp_so3(last.tissue_angle[b]))),
+               mm3(worn.p_LS - board.p_LS), mm3(last.mount_place[b]));
+  }
+  for (std::size_t s = 0; s < model.skeleton.segments.size(); ++s) {
+    const double length = wearer.skeleton.segments[s].length;
+    fmt::print("   {:<16} longer by {:5.2f} % believed {:5.2f} %\n", wearer.skeleton.segments[s].name,
+               100.0 * (wearer.actor->skeleton().segments[s].length / length - 1.0), 100.0 * last.bone_scale[s]);
+  }
+}
+
+void run(const Settings& settings, const testing_support::Wearer& wearer, const std::string& label) {
+  const double seconds = wearer.readings.inertial.back().time_s;
+  for (const PaperRow& row : kPaper) {
+    const std::string sensors = row.sensors;
+    if (std::find(settings.sensors.begin(), settings.sensors.end(), sensors) == settings.sensors.end()) {
+      continue;
+    }
+    for (const std::string& method : settings.methods) {
+      estimate::BodyFilterParameters p;
+      p.root = estimate::RootMode::kGiven;
+      p.use_accelerometers = sensors.find('A') != std::string::npos;
+      p.use_gyroscopes = sensors.find('G') != std::string::npos;
+      p.use_ranges = sensors.find('D') != std::string::npos;
+      for (const auto& [name, value] : settings.parameters) {
+        estimate::set_body_parameter(p, name, value);
+      }
+      const estimate::BodyModel model = estimate::body_model(wearer.rig, wearer.skeleton);
+      const double begin = cpu_seconds();
+      const auto solved = need(method == "filter" ? estimate::filter_body(model, p, wearer.readings, 60.0, {})
+                                                  : estimate::smooth_body(model, p, wearer.readings, 60.0, {}));
+      const double busy = cpu_seconds() - begin;
+      const JointErrors errors = errors_of(wearer, solved.track);
+      double worst = 0.0;
+      for (const auto& [name, e] : errors.by_name) {
+        worst = std::max(worst, e.mean());
+      }
+      fmt::print("{:<28} {:<8} {:<3} | {} {} {} | ", label, method, sensors, cell(errors, "neck"),
+                 cell(errors, "right_upper_arm"), cell(errors, "left_thigh"));
+      for (const double figure : row.figures) {
+        fmt::print("{:5.1f} ", figure);
+      }
+      fmt::print("| {:6.3f} worst {:6.3f} max {:6.2f} | rms {:5.2f} stated {:5.2f} | {:.1f}\n", errors.all.mean(),
+                 worst, errors.all.largest, errors.all.rms(), errors.all.sigma(), seconds / busy);
+      if (settings.joints) {
+        for (const auto& [name, e] : errors.by_name) {
+          fmt::print("   {:<16} {:6.2f} / {:5.2f}  max {:6.2f}   rms {:5.2f} stated {:5.2f}\n", name, e.mean(), e.sd(),
+                     e.largest, e.rms(), e.sigma());
+        }
+      }
+      if (settings.times > 0.0) {
+        print_times(wearer, solved.track, settings.times);
+      }
+      if (settings.constants) {
+        print_constants(wearer, model, solved.last);
+      }
+      std::fflush(stdout);
+    }
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string motion = argc > 1 ? argv[1] : "every-joint";
-  const std::string profile = argc > 2 ? argv[2] : "paper";
-  simulate::ReadingSettings settings;
-  settings.seconds = argc > 3 ? std::atof(argv[3]) : 0.0;
-  const auto seed = static_cast<std::uint64_t>(argc > 4 ? std::atoi(argv[4]) : 1);
-  const body::Rig rig = need(body::load_rig("driver-box-body"));
-  const body::Skeleton skeleton = need(body::load_skeleton(rig.skeleton));
-  const simulate::DriverBoxErrors errors = need(simulate::load_driver_box_errors(profile));
-  const auto actor = need(simulate::DriverBoxActor::create(motion, 0.0, rig, skeleton, errors, seed, 3.0));
-  const simulate::SimulatedReadings simulated = simulate::simulate_readings(*actor, rig, errors, settings, seed);
-  const estimate::BodyReadings readings = testing_support::readings_of(simulated);
-  const auto instants = estimate::instants_of(readings);
-  fmt::print("{} errors {}: {:.0f} s, {} inertial readings, {} ranges\n", motion, profile,
-             readings.inertial.back().time_s, readings.inertial.size(), readings.ranges.size());
+  const Settings settings = parse(argc, argv);
   fmt::print(
-      "sensors |     neck          right shoulder    left hip      | paper's                               | all "
-      "joints | x real time\n");
-  for (const PaperRow& row : kPaper) {
-    if (argc > 5) {
-      bool wanted = false;
-      for (int i = 5; i < argc; ++i) {
-        wanted = wanted || std::string(argv[i]) == row.sensors;
-      }
-      if (!wanted) {
-        continue;
-      }
-    }
-    const std::string sensors = row.sensors;
-    estimate::BodyFilterParameters p;
-    p.root = estimate::RootMode::kGiven;
-    p.use_accelerometers = sensors.find('A') != std::string::npos;
-    p.use_gyroscopes = sensors.find('G') != std::string::npos;
-    p.use_ranges = sensors.find('D') != std::string::npos;
-    p.acceleration_walk = tuned("WALK", p.acceleration_walk);
-    p.mount_rotation_walk = tuned("MOUNTWALK", p.mount_rotation_walk);
-    p.mount_rotation = tuned("MOUNT", p.mount_rotation);
-    p.mount_place_walk = tuned("PLACEWALK", p.mount_place_walk);
-    p.accelerometer_relative = tuned("ARELATIVE", p.accelerometer_relative);
-    p.gyroscope_relative = tuned("GRELATIVE", p.gyroscope_relative);
-    p.rest_pose = tuned("REST", p.rest_pose);
-    p.bone_scale = tuned("BONE", p.bone_scale);
-    p.mount_place = tuned("PLACE", p.mount_place);
-    p.range_noise = tuned("RANGE", p.range_noise);
-    p.source_place = tuned("SOURCE", p.source_place);
-    p.gate_probability = tuned("GATE", p.gate_probability);
-    p.limit_softness = tuned("LIMIT", p.limit_softness);
-    p.accelerometer_noise = tuned("ANOISE", p.accelerometer_noise);
-    estimate::BodyFilter filter(estimate::body_model(rig, skeleton), p);
-    filter.start(0.0, &readings.root.front());
-    JointErrors joints;
-    std::size_t next = 0;
-    std::chrono::duration<double> busy{};
-    for (const estimate::BodyInstant& instant : instants) {
-      const auto begin = std::chrono::steady_clock::now();
-      if (instant.inertials > 0) {
-        const estimate::RootReading root = estimate::root_at(readings.root, instant.time_s);
-        filter.step(instant, &root);
-      } else if (p.use_ranges) {
-        filter.step(instant, nullptr);
-      }
-      busy += std::chrono::steady_clock::now() - begin;
-      // Poses at the first instant that is not before the truth's.
-      while (next < simulated.truth.size() && simulated.truth[next].time_s <= instant.time_s + 1e-6) {
-        const bool near = instant.time_s - simulated.truth[next].time_s < 1e-6;
-        std::vector<simulate::FrameJet> frames;
-        std::vector<body::SegmentPose> truth = simulated.truth[next].poses;
-        if (!near) {
-          actor->frames(filter.state().time_s, frames);
-          for (std::size_t i = 0; i < frames.size(); ++i) {
-            truth[i] = {frames[i].R_W.v, frames[i].p_W.v};
-          }
-        }
-        joints.add(skeleton, filter.tree().segment_rotations(filter.state().joints), truth);
-        ++next;
-      }
-    }
-    const auto cell = [&](const char* name) {
-      const auto& e = joints.by_name[name];
-      return fmt::format("{:6.2f}/{:6.2f}", e.mean(), e.sd());
-    };
-    fmt::print(
-        "{:<7} | {}   {}   {} | {:5.1f}/{:5.1f} {:5.1f}/{:5.1f} {:5.1f}/{:5.1f} | {:5.2f} max {:5.2f} | {:.1f} ({} "
-        "states)\n",
-        row.sensors, cell("neck"), cell("right_upper_arm"), cell("left_thigh"), row.figures[0], row.figures[1],
-        row.figures[2], row.figures[3], row.figures[4], row.figures[5], joints.all.mean(), joints.all.largest,
-        readings.inertial.back().time_s / busy.count(), filter.layout().size);
-    if (std::getenv("VERBOSE") != nullptr) {
-      for (const auto& [name, e] : joints.by_name) {
-        fmt::print("   {:<16} {:6.2f} / {:5.2f}  max {:6.2f}\n", name, e.mean(), e.sd(), e.largest);
-      }
-      for (std::size_t b = 0; b < filter.model().boards.size(); ++b) {
-        const auto& g = filter.gyroscope_counts()[b];
-        const auto& a = filter.accelerometer_counts()[b];
-        fmt::print("   {:<16} G {} gated {} clipped {} nis {:.2f}   A {} gated {} clipped {} nis {:.2f}\n",
-                   filter.model().boards[b].name, g.used, g.gated, g.clipped,
-                   g.nis_sum / static_cast<double>(std::max<std::int64_t>(1, g.used + g.gated)), a.used, a.gated,
-                   a.clipped, a.nis_sum / static_cast<double>(std::max<std::int64_t>(1, a.used + a.gated)));
-      }
-      for (std::size_t s = 0; s < filter.model().sources.size(); ++s) {
-        const auto& d = filter.range_counts()[s];
-        fmt::print("   {:<16} D {} gated {} nis {:.2f}\n", filter.model().sources[s].name, d.used, d.gated,
-                   d.nis_sum / static_cast<double>(std::max<std::int64_t>(1, d.used + d.gated)));
+      "motion, errors, seed         method   sensors |     neck       right shoulder   left hip   | paper's: the same  "
+      "  "
+      "             | all joints | all joints rms | x real time\n");
+  for (const std::string& motion : settings.motions) {
+    for (const std::string& profile : settings.errors) {
+      const auto errors = need(simulate::load_driver_box_errors(profile));
+      for (const std::string& seed : settings.seeds) {
+        const auto wearer =
+            need(testing_support::make_wearer(motion, errors, static_cast<std::uint64_t>(std::atoi(seed.c_str())),
+                                              settings.rest, settings.seconds, settings.metres));
+        const auto name = [](const std::string& path) {
+          const auto slash = path.find_last_of('/');
+          return path.substr(slash == std::string::npos ? 0 : slash + 1);
+        };
+        run(settings, wearer, name(motion) + " " + name(profile) + " " + seed);
       }
     }
   }

@@ -291,6 +291,8 @@ BodyFilterParameters modelled_errors_only() {
   p.gyroscope_bias_walk = p.accelerometer_bias_walk = p.mount_rotation_walk = p.mount_place_walk = 0.0;
   p.range_offset_walk = p.sound_scale_walk = 0.0;
   p.mount_rotation = 0.01;
+  p.tissue_angle = 0.0;
+  p.acceleration_time = 0.0;
   p.rest_pose = 0.02;
   p.limit_softness = 0.0;
   p.gate_probability = 0.0;

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/files.h"
 #include "support/audio_files.h"
 #include "support/temporary_folder.h"
 
@@ -225,6 +226,49 @@ TEST_F(CommandLineContract, OutputThatCannotBeWrittenIsAFailure) {
   const auto outcome = limbwave.run({"info", "a.take"}, "/dev/full");
   EXPECT_EQ(outcome.status, 1);
   expect_one_line(outcome);
+}
+
+TEST_F(CommandLineContract, OneOfSeveralMovementsIsChosenByNameOrNumber) {
+  ASSERT_EQ(limbwave.run({"simulate", "a.take", "--motion", "wave", "--seconds", "2"}).status, 0);
+  ASSERT_EQ(limbwave.run({"solve", "a.take"}).status, 0);
+  ASSERT_EQ(limbwave.run({"export", "a.take", "-o", "one.gltf", "--no-mesh"}).status, 0);
+  // A second movement in which only the last bone turns.
+  nlohmann::json file = nlohmann::json::parse(std::ifstream(folder / "one.gltf"));
+  nlohmann::json second = file["animations"][0];
+  second["name"] = "second";
+  second["channels"] = nlohmann::json::array({second["channels"].back()});
+  file["animations"].push_back(second);
+  std::ofstream(folder / "two.gltf") << file;
+
+  const auto first = limbwave.run({"export", "two.gltf", "-o", "first.csv"});
+  EXPECT_EQ(first.status, 0);
+  EXPECT_THAT(first.errors + first.output, HasSubstr("--clip chooses another"));
+  EXPECT_EQ(limbwave.run({"export", "two.gltf", "--clip", "second", "-o", "name.csv"}).status, 0);
+  EXPECT_EQ(limbwave.run({"export", "two.gltf", "--clip", "2", "-o", "number.csv"}).status, 0);
+  const auto text = [this](const char* name) { return read_file(folder / name).value(); };
+  EXPECT_FALSE(text("name.csv").empty());
+  EXPECT_EQ(text("name.csv"), text("number.csv"));
+  EXPECT_NE(text("name.csv"), text("first.csv"));
+
+  const auto unknown = limbwave.run({"export", "two.gltf", "--clip", "third", "-o", "x.csv"});
+  EXPECT_EQ(unknown.status, 1);
+  expect_one_line(unknown);
+  EXPECT_THAT(unknown.errors, HasSubstr("\"second\""));
+  EXPECT_FALSE(fs::exists(folder / "x.csv"));
+}
+
+TEST_F(CommandLineContract, ASolveKeepsTheUsersHeadings) {
+  ASSERT_EQ(limbwave.run({"simulate", "a.take", "--motion", "wave", "--seconds", "2"}).status, 0);
+  std::ofstream(folder / "a.take" / "live_headings.json") << R"({"schema": 1, "headings_s_rad": [[], [[0.0, 0.5]]]})";
+  const auto headings = [this] {
+    std::ifstream in(folder / "a.take" / "solves" / "default" / "settings.json");
+    return nlohmann::json::parse(in).at("headings_s_rad").dump();
+  };
+  ASSERT_EQ(limbwave.run({"solve", "a.take"}).status, 0);
+  EXPECT_EQ(headings(), "[[],[[0.0,0.5]]]");
+  fs::remove(folder / "a.take" / "live_headings.json");
+  ASSERT_EQ(limbwave.run({"solve", "a.take", "--smoothing", "adaptive"}).status, 0);
+  EXPECT_EQ(headings(), "[[],[[0.0,0.5]]]");
 }
 
 TEST_F(CommandLineContract, InterruptedWorkLeavesNothing) {

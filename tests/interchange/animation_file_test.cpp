@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -94,6 +95,31 @@ TEST(MeshFile, SkinsAFileToASkeletonAndCanBeStopped) {
     EXPECT_TRUE(is_cancelled(stopped.error()));
   }
   EXPECT_FALSE(skinned_mesh_file(folder.path() / "missing.obj", clip).ok());
+}
+
+TEST(MeshFile, AGltfWithItsNumbersInAFileBesideItIsReadFromAnywhere) {
+  const test::TemporaryFolder folder;
+  const float positions[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::uint16_t triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  std::string bytes(reinterpret_cast<const char*>(positions), sizeof positions);
+  bytes.append(reinterpret_cast<const char*>(triangles), sizeof triangles);
+  ASSERT_TRUE(write_file(folder.path() / "numbers.bin", bytes).ok());
+  ASSERT_TRUE(write_file(folder.path() / "mesh.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+      "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+      "buffers": [{"uri": "numbers.bin", "byteLength": 72}],
+      "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 24}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
+                    {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}]})")
+                  .ok());
+  const auto mesh = load_mesh(folder.path() / "mesh.gltf");
+  ASSERT_TRUE(mesh.ok()) << mesh.error().text();
+  EXPECT_EQ(mesh->positions.size(), 4U);
+  EXPECT_EQ(mesh->triangles.size(), 4U);
+  std::filesystem::remove(folder.path() / "numbers.bin");
+  EXPECT_FALSE(load_mesh(folder.path() / "mesh.gltf").ok());
+  ASSERT_TRUE(write_file(folder.path() / "empty.obj", "").ok());
+  EXPECT_FALSE(load_mesh(folder.path() / "empty.obj").ok());
 }
 
 }  // namespace

@@ -84,6 +84,32 @@ TEST_F(SolveStore, WhatIsSavedIsLoaded) {
   }
 }
 
+TEST_F(SolveStore, TheCalibrationThatWasUsedIsStored) {
+  Solve before = solve(1.0);
+  take.info.rig = require(body::load_rig("line-in-arm"));
+  calibrate::RigCalibration used = calibrate::nominal_calibration(take.info.rig);
+  used.sensors[2].method = "ellipsoid";
+  used.sensors[2].residual_g = 0.0032;
+  before.report.used_calibration = used;
+  require(save_solve(take, before));
+  const Solve after = require(load_solve(take, "default"));
+  ASSERT_TRUE(after.report.used_calibration.has_value());
+  EXPECT_EQ(calibrate::calibration_to_json(*after.report.used_calibration), calibrate::calibration_to_json(used));
+}
+
+TEST_F(SolveStore, TurnsOfARecordingAreKnownUntilASolveHasItsOwn) {
+  EXPECT_THAT(known_headings(take, "default"), IsEmpty());
+  require(save_live_headings(take.folder, {{}, {{0.0, 0.5}}, {{1.0, -0.5}, {2.0, 0.75}}}));
+  const auto live = known_headings(take, "default");
+  ASSERT_EQ(live.size(), 3U);
+  EXPECT_EQ(live[2][1].time_s, 2.0);
+  EXPECT_EQ(live[2][1].heading, 0.75);
+  EXPECT_THAT(list_solves(take), IsEmpty());
+  require(save_solve(take, solve(1.0)));
+  EXPECT_EQ(known_headings(take, "default").size(), 2U);
+  EXPECT_EQ(known_headings(take, "other").size(), 3U);
+}
+
 TEST_F(SolveStore, ReplacesAndLeavesNothingElse) {
   require(save_solve(take, solve(1.0)));
   const double first = turned();

@@ -64,14 +64,14 @@ bool JackServer::available(std::string& why_not) {
   return true;
 }
 
-JackServer::JackServer(int rate_hz, int channels) {
+JackServer::JackServer(int rate_hz, int channels, int played, int period) {
   remove_leftovers();
   const std::string name = kNamePrefix + std::to_string(::getpid());
   environment_ = std::make_unique<ScopedEnvironment>(
       std::map<std::string, std::string>{{"JACK_DEFAULT_SERVER", name}, {"JACK_NO_AUDIO_RESERVATION", "1"}});
   server_ = std::make_unique<ChildProcess>(
-      std::vector<std::string>{"jackd", "-n", name, "-r", "-d", "dummy", "-r", std::to_string(rate_hz), "-p", "1024",
-                               "-C", std::to_string(channels)},
+      std::vector<std::string>{"jackd", "-n", name, "-r", "-d", "dummy", "-r", std::to_string(rate_hz), "-p",
+                               std::to_string(period), "-C", std::to_string(channels), "-P", std::to_string(played)},
       std::map<std::string, std::string>{}, folder_ / "jack.log");
 }
 

@@ -17,8 +17,9 @@ class JackServer {
   /// False with a reason when JACK is not installed: skip the test then.
   static bool available(std::string& why_not);
 
-  /// Starts a server with as many captured channels; it may need a while until it answers.
-  JackServer(int rate_hz, int channels);
+  /// Starts a server with as many captured and played channels; it may need a while until it answers.
+  /// `period`: frames that it works on at a time; more of them bear a busier machine.
+  JackServer(int rate_hz, int channels, int played = 2, int period = 1024);
   ~JackServer();
   JackServer(const JackServer&) = delete;
   JackServer& operator=(const JackServer&) = delete;

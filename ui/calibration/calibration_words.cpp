@@ -118,7 +118,7 @@ QString format_mg(double g) {
   if (!std::isfinite(mg)) {
     return QStringLiteral("–");
   }
-  return Words::tr("%1 mg").arg(mg, 0, 'f', mg < 9.95 ? 1 : 0);
+  return Words::tr("%1 mg").arg(QLocale().toString(mg, 'f', mg < 9.95 ? 1 : 0));
 }
 
 QString format_degrees(double degrees, bool sign) {
@@ -126,7 +126,7 @@ QString format_degrees(double degrees, bool sign) {
     return QStringLiteral("–");
   }
   // A minus as long as the plus, as type is set.
-  QString text = QString::number(std::abs(degrees), 'f', 1) + QStringLiteral("°");
+  QString text = QLocale().toString(std::abs(degrees), 'f', 1) + QStringLiteral("°");
   if (degrees < -0.05) {
     text.prepend(QChar(0x2212));
   } else if (sign && degrees > 0.05) {

@@ -1,5 +1,6 @@
 // The second half of limb_wizard.h: what the pages show.
 #include <QGridLayout>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ VerdictRowContent limb_row(const LimbOutcome& outcome, const body::Rig& rig, boo
   }
   if (std::abs(result.norm_error_g) > limits.good_norm_g) {
     content.text += LimbWizard::tr(" It reads %1 g at rest: calibrate its range, or the volume was moved.")
-                        .arg(1.0 + result.norm_error_g, 0, 'f', 2);
+                        .arg(QLocale().toString(1.0 + result.norm_error_g, 'f', 2));
   }
   QStringList rest{LimbWizard::tr("sits %1 from how the rig shows it").arg(format_degrees(result.from_nominal_deg))};
   if (outcome.before_deg) {

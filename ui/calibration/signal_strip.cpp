@@ -1,5 +1,6 @@
 #include "calibration/signal_strip.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ void SignalStrip::paintEvent(QPaintEvent*) {
     const double g = last.g[axis];
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter,
                      last.usable ? (g < 0 ? QString(QChar(0x2212)) : QStringLiteral("+")) +
-                                       QString::number(std::abs(g), 'f', 2) + tr(" g")
+                                       QLocale().toString(std::abs(g), 'f', 2) + tr(" g")
                                  : tr("none"));
   }
 }

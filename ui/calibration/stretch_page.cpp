@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QMenu>
 #include <QShortcut>
 #include <QSignalBlocker>
@@ -274,7 +275,7 @@ void StretchPage::refresh_row(int i) {
   }
   row.begin->setValue(stretch.begin_s);
   row.end->setValue(stretch.end_s);
-  row.length->setText(tr("%1 s long").arg(stretch.seconds(), 0, 'f', 1));
+  row.length->setText(tr("%1 s long").arg(QLocale().toString(stretch.seconds(), 'f', 1)));
 }
 
 void StretchPage::choose_named(int i, int entry) {

@@ -77,6 +77,9 @@ QPushButton[flat="true"], QToolButton[flat="true"] { background: transparent; }
 QPushButton[flat="true"]:hover, QToolButton[flat="true"]:hover { background: %4; }
 QPushButton[flat="true"]:focus, QToolButton[flat="true"]:focus { border: 1px solid %8; }
 QToolButton::menu-indicator { image: none; }
+QPushButton::menu-indicator { image: url(:/icons/%13/chevron-down.svg); width: 12px; height: 12px; subcontrol-origin: padding;
+  subcontrol-position: center right; right: 8px; }
+QPushButton[menu="true"] { padding-right: 26px; }
 QToolButton[mode="true"] { background: transparent; color: %7; border-radius: 0; border: none; border-left: 3px solid transparent;
   padding: 10px 4px 8px 1px; }
 QToolButton[mode="true"]:hover { color: %6; background: %4; }

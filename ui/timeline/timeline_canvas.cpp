@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QHelpEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -293,11 +294,11 @@ bool TimelineCanvas::event(QEvent* event) {
   if (found.key.lane >= 0) {
     const LaneKey* key = keys_.model().find(found.key.lane, found.key.id);
     text = tr("%1: %2° at %3 s")
-               .arg(keys_.model().lane_name(found.key.lane), QString::number(degrees(key->value), 'f', 1),
-                    QString::number(key->time_s, 'f', 3));
+               .arg(keys_.model().lane_name(found.key.lane), QLocale().toString(degrees(key->value), 'f', 1),
+                    QLocale().toString(key->time_s, 'f', 3));
   } else if (found.marker >= 0) {
     const TimelineMarker& marker = markers_[static_cast<std::size_t>(found.marker)];
-    text = tr("%1 at %2 s").arg(marker.text, QString::number(marker.time_s, 'f', 3));
+    text = tr("%1 at %2 s").arg(marker.text, QLocale().toString(marker.time_s, 'f', 3));
   } else if (found.events && markers_editable_) {
     text = tr("Double-click sets a marker");
   } else if (found.lane >= 0) {

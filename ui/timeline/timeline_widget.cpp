@@ -148,8 +148,8 @@ void TimelineWidget::show_state() {
   now_->setText(any ? QString::fromStdString(time_label(time_.playhead_s(), 0.001)) : tr("–"));
   const QString length = tr("/ %1   frame %2 of %3")
                              .arg(QString::fromStdString(time_label(time_.duration_s(), 0.001)))
-                             .arg(frame)
-                             .arg(std::llround(time_.duration_s() / time_.frame_s()));
+                             .arg(frame + 1)
+                             .arg(std::llround(time_.duration_s() / time_.frame_s()) + 1);
   // What stands at its start waits to be played.
   const bool waits = any && !playing && frame == 0;
   length_->setText(!any ? tr("nothing to play yet") : waits ? tr("%1   Space plays").arg(length) : length);

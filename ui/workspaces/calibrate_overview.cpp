@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QScrollArea>
 #include <algorithm>
+#include <utility>
 
 #include "common/icons.h"
 #include "common/theme.h"
@@ -98,7 +99,13 @@ SensorRow::SensorRow(int sensor, QWidget* parent)
     badge->setMinimumWidth(kBadgeWidth - kRepeatWidth);
     layout->addWidget(badge, 1);
     button->setObjectName(name);
-    button->setFixedWidth(kRepeatWidth);
+    // As wide as the longer of the two verbs in this language, so that all rows look alike.
+    int width = kRepeatWidth;
+    for (const QString& verb : {tr("Calibrate"), tr("Repeat")}) {
+      button->setText(verb);
+      width = std::max(width, button->sizeHint().width());
+    }
+    button->setFixedWidth(width);
     layout->addWidget(button);
   };
   add(range_, repeat_range_, QStringLiteral("range_%1").arg(sensor));
@@ -222,18 +229,52 @@ void CalibrateOverview::refresh() {
   if (!desk_.has_rig()) {
     return;
   }
-  const CalibrationSummary summary = summarize(desk_.rig(), desk_.calibration());
+  int from_solve = 0;
+  const CalibrationSummary summary = summarize(desk_.rig(), shown(&from_solve));
   headline_->setText(summary.headline);
   const QString where = desk_.subject() == CalibrationDesk::Subject::kLive
                             ? tr("Running capture: %1.").arg(desk_.source().title())
                             : tr("Take: %1.").arg(desk_.context().document().name());
   const QString wearer = desk_.wearer().isEmpty() ? QString() : tr(" Worn by %1.").arg(desk_.wearer());
-  subline_->setText(where + wearer + QLatin1Char(' ') + summary.next);
+  const QString found = from_solve == 0 ? QString()
+                                        : tr(" What the take does not carry, its solve took from the take's own "
+                                             "calibration movements or from the library.");
+  subline_->setText(where + wearer + found + QLatin1Char(' ') + summary.next);
   const bool ranges_first = summary.ranges < static_cast<int>(desk_.rig().accelerometers.size());
   set_style_property(range_, "primary", ranges_first);
   set_style_property(mount_, "primary", !ranges_first);
   refresh_sources();
   refresh_rows();
+}
+
+void CalibrateOverview::set_used(std::optional<calibrate::RigCalibration> used) {
+  used_ = std::move(used);
+  refresh();
+}
+
+calibrate::RigCalibration CalibrateOverview::shown(int* from_solve) const {
+  calibrate::RigCalibration shown = desk_.calibration();
+  if (desk_.subject() != CalibrationDesk::Subject::kTake || !used_ || used_->sensors.size() != shown.sensors.size() ||
+      used_->mounts.size() != shown.mounts.size()) {
+    return shown;
+  }
+  int taken = 0;
+  const auto complete = [&taken](auto& own, const auto& used) {
+    if (!calibrated(own.method) && calibrated(used.method)) {
+      own = used;
+      ++taken;
+    }
+  };
+  for (std::size_t s = 0; s < shown.sensors.size(); ++s) {
+    complete(shown.sensors[s], used_->sensors[s]);
+  }
+  for (std::size_t m = 0; m < shown.mounts.size(); ++m) {
+    complete(shown.mounts[m], used_->mounts[m]);
+  }
+  if (from_solve != nullptr) {
+    *from_solve = taken;
+  }
+  return shown;
 }
 
 void CalibrateOverview::refresh_sources() {
@@ -265,11 +306,12 @@ void CalibrateOverview::refresh_rows() {
     rows_.push_back(row);
   }
   const int selected = desk_.context().selection().index_of(SelectionKind::kSensor);
+  const calibrate::RigCalibration calibration = shown();
   for (std::size_t s = 0; s < rows_.size(); ++s) {
     const body::Accelerometer& accelerometer = rig.accelerometers[s];
     rows_[s]->set_content(QString::fromStdString(accelerometer.name),
                           accelerometer.serial.empty() ? tr("no serial") : QString::fromStdString(accelerometer.serial),
-                          range_state(desk_.calibration().sensors.at(s)), mount_state(desk_.calibration().mounts.at(s)),
+                          range_state(calibration.sensors.at(s)), mount_state(calibration.mounts.at(s)),
                           in_a_group(rig, static_cast<int>(s)));
     rows_[s]->set_selected(static_cast<int>(s) == selected);
   }

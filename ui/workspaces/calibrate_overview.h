@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "calibration/calibration_desk.h"
@@ -49,6 +50,8 @@ class CalibrateOverview : public QWidget {
  public:
   explicit CalibrateOverview(CalibrationDesk& desk, QWidget* parent = nullptr);
   void refresh();
+  /// What a solve of the open take used; it stands where the take itself carries nothing measured.
+  void set_used(std::optional<calibrate::RigCalibration> used);
 
  Q_SIGNALS:
   /// Empty: the wizard's own choice.
@@ -59,8 +62,11 @@ class CalibrateOverview : public QWidget {
  private:
   void refresh_rows();
   void refresh_sources();
+  /// The take's or the capture's calibration, completed by what the solve used; `from_solve` counts what came from it.
+  [[nodiscard]] calibrate::RigCalibration shown(int* from_solve = nullptr) const;
 
   CalibrationDesk& desk_;
+  std::optional<calibrate::RigCalibration> used_;
   QLabel* headline_;
   QLabel* subline_;
   QPushButton* range_;

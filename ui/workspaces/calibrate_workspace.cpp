@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "workspaces/calibrate_history.h"
+#include "workspaces/solve/solve_model.h"
 
 namespace limbwave::ui {
 
@@ -25,8 +26,6 @@ CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::Calibration
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(pages_);
-  empty_->set_texts(tr("Nothing to calibrate yet"), tr("Open a device in Capture to calibrate its sensors, or open a "
-                                                       "take to look at its calibration and compute it anew."));
   QPushButton* device = empty_->add_button(tr("Open a device in Capture"), true);
   device->setObjectName(QStringLiteral("open_device"));
   const auto go_to_devices = [this] { context_.reveal(QStringLiteral("capture"), QStringLiteral("devices")); };
@@ -69,6 +68,12 @@ CalibrateWorkspace::CalibrateWorkspace(StudioContext& context, take::Calibration
   connect(stretch_model_.get(), &StretchModel::failed, this, [this](const Error& error) {
     context_.notifications().post_error(tr("Calibration from a recording"), error);
   });
+  SolveModel& solving = SolveModel::of(context_);
+  const auto follow_solve = [this, &solving] {
+    overview_->set_used(solving.solve() ? solving.solve()->report.used_calibration : std::nullopt);
+  };
+  connect(&solving, &SolveModel::solve_changed, this, follow_solve);
+  follow_solve();
   show_overview();
 }
 
@@ -103,7 +108,18 @@ void CalibrateWorkspace::reveal(const QString& topic) {
 
 void CalibrateWorkspace::show_overview() {
   overview_->refresh();
-  pages_->setCurrentWidget(desk_->has_rig() ? static_cast<QWidget*>(overview_) : empty_);
+  // The wizards are for boards on a sound card.
+  const bool by_filter =
+      desk_->subject() == CalibrationDesk::Subject::kTake && !SolveModel::of(context_).by_inclination();
+  if (by_filter) {
+    empty_->set_texts(tr("This take needs no calibration by hand"),
+                      tr("The body filter estimates offsets, mountings and lengths while it solves. Begin takes with a "
+                         "second of standing still in the rest pose."));
+  } else {
+    empty_->set_texts(tr("Nothing to calibrate yet"), tr("Open a device in Capture to calibrate its sensors, or open a "
+                                                         "take to look at its calibration and compute it anew."));
+  }
+  pages_->setCurrentWidget(desk_->has_rig() && !by_filter ? static_cast<QWidget*>(overview_) : empty_);
 }
 
 void CalibrateWorkspace::start_range(const std::vector<int>& sensors) {

@@ -113,7 +113,9 @@ void ManualBrowser::show_markdown(const QString& markdown) {
   cursor.beginEditBlock();
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
     QTextBlockFormat format = block.blockFormat();
-    format.setLineHeight(135, QTextBlockFormat::ProportionalHeight);
+    const bool picture = !block.begin().atEnd() && block.begin().fragment().charFormat().isImageFormat();
+    // A proportion of a picture's height would be a gap below it.
+    format.setLineHeight(picture ? 100 : 135, QTextBlockFormat::ProportionalHeight);
     if (format.headingLevel() > 0) {
       format.setTopMargin(format.headingLevel() == 1 ? 0 : 3 * kGrid);
       format.setBottomMargin(1.5 * kGrid);
@@ -167,7 +169,11 @@ QVariant ManualBrowser::loadResource(int type, const QUrl& url) {
   }
   QSvgRenderer renderer(themed(file.readAll(), theme_colors(palette())));
   const double ratio = devicePixelRatioF();
-  QImage picture(renderer.defaultSize() * ratio, QImage::Format_ARGB32_Premultiplied);
+  QSize size = renderer.defaultSize();
+  if (const int room = viewport()->width() - 8 * kGrid; room > 240 && size.width() > room) {
+    size.scale(room, size.height(), Qt::KeepAspectRatio);  // A small window shows it smaller, not cut off.
+  }
+  QImage picture(size * ratio, QImage::Format_ARGB32_Premultiplied);
   picture.fill(Qt::transparent);
   QPainter painter(&picture);
   renderer.render(&painter);
@@ -203,7 +209,7 @@ ManualWindow::ManualWindow(const std::vector<ShortcutGroup>& shortcuts, QWidget*
   connect(list_, &QListWidget::currentRowChanged, this, &ManualWindow::refresh);
   connect(text_, &ManualBrowser::chapter_wanted, this, &ManualWindow::show_chapter);
   const QSize room = QGuiApplication::primaryScreen()->availableSize() * 0.9;
-  resize(std::min(1060, room.width()), std::min(780, room.height()));
+  resize(std::min(1100, room.width()), std::min(780, room.height()));
   list_->setCurrentRow(0);
 }
 

@@ -11,7 +11,7 @@
 #include "base/units.h"
 #include "common/latency_text.h"
 #include "common/widgets.h"
-#include "ui/support/fake_capture.h"
+#include "ui/support/solve_window.h"
 #include "workspaces/capture/capture_model.h"
 #include "workspaces/record_banner.h"
 #include "workspaces/solve/solve_pose.h"
@@ -19,18 +19,10 @@
 
 namespace limbwave::ui::testing {
 
-class LiveViewTest : public QObject {
+class LiveViewTest : public SolveWindowTest {
   Q_OBJECT
 
  private:
-  std::unique_ptr<FakeSolving> solving_;
-  std::unique_ptr<SolveStudio> studio_;
-
-  void start(StudioServices services = {}) {
-    solving_ = std::make_unique<FakeSolving>();
-    studio_ = std::make_unique<SolveStudio>(solving_->services(), std::move(services));
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->window.get()));
-  }
   // In the Solve workspace, with the capture running.
   void start_live() {
     start(capture_services());
@@ -46,42 +38,6 @@ class LiveViewTest : public QObject {
   [[nodiscard]] RecordBanner& banner() const { return *workspace().findChild<RecordBanner*>(); }
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
     QTest::keyClick(studio_->window.get(), key, modifiers);
-  }
-  [[nodiscard]] SolveModel& model() const { return *studio_->model; }
-  [[nodiscard]] SolveWorkspace& workspace() const {
-    return *qobject_cast<SolveWorkspace*>(studio_->window->workspace(QStringLiteral("solve")));
-  }
-  template <typename T>
-  [[nodiscard]] T* find(const QString& accessible_name) const {
-    for (T* widget : studio_->window->findChildren<T*>()) {
-      if (widget->accessibleName() == accessible_name) {
-        return widget;
-      }
-    }
-    return nullptr;
-  }
-  [[nodiscard]] QPushButton* button(const QString& text) const {
-    for (QPushButton* one : studio_->window->findChildren<QPushButton*>()) {
-      if (one->text() == text && one->isVisible()) {
-        return one;
-      }
-    }
-    return nullptr;
-  }
-  [[nodiscard]] bool says(const QString& text) const {
-    for (QLabel* label : studio_->window->findChildren<QLabel*>()) {
-      if (label->isVisible() && label->text().contains(text)) {
-        return true;
-      }
-    }
-    return false;
-  }
-  void save(const QString& name) const { QVERIFY(studio_->screen().save(screenshot_path(name))); }
-  // Heading of a segment in the viewer: angle of its bone about the vertical.
-  [[nodiscard]] double azimuth(int segment) const {
-    const Eigen::Vector3d x =
-        workspace().viewer().pose()[static_cast<std::size_t>(segment)].R_WL * Eigen::Vector3d::UnitX();
-    return std::atan2(x.y(), x.x());
   }
 
  private Q_SLOTS:

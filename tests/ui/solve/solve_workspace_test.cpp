@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -19,72 +20,17 @@
 #include "common/widgets.h"
 #include "simulate/simulate.h"
 #include "timeline/timeline_canvas.h"
-#include "ui/support/fake_capture.h"
-#include "ui/support/solve_fixture.h"
+#include "ui/support/solve_window.h"
 #include "workspaces/solve/bone_card.h"
+#include "workspaces/solve/curves_panel.h"
 #include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/settings_card.h"
 #include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui::testing {
 
-class SolveWorkspaceTest : public QObject {
+class SolveWorkspaceTest : public SolveWindowTest {
   Q_OBJECT
-
- private:
-  std::unique_ptr<FakeSolving> solving_;
-  std::unique_ptr<SolveStudio> studio_;
-
-  void start(StudioServices services = {}) {
-    solving_ = std::make_unique<FakeSolving>();
-    studio_ = std::make_unique<SolveStudio>(solving_->services(), std::move(services));
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->window.get()));
-  }
-  void open(const QString& name = QStringLiteral("swing.take")) {
-    studio_->context->document().set(made_up_take(studio_->take_folder(name), solving_->seconds));
-    QTRY_COMPARE(studio_->window->current_workspace(), QStringLiteral("solve"));
-  }
-  void open_solved() {
-    start();
-    open();
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-  }
-  [[nodiscard]] SolveModel& model() const { return *studio_->model; }
-  [[nodiscard]] SolveWorkspace& workspace() const {
-    return *qobject_cast<SolveWorkspace*>(studio_->window->workspace(QStringLiteral("solve")));
-  }
-  template <typename T>
-  [[nodiscard]] T* find(const QString& accessible_name) const {
-    for (T* widget : studio_->window->findChildren<T*>()) {
-      if (widget->accessibleName() == accessible_name) {
-        return widget;
-      }
-    }
-    return nullptr;
-  }
-  [[nodiscard]] QPushButton* button(const QString& text) const {
-    for (QPushButton* one : studio_->window->findChildren<QPushButton*>()) {
-      if (one->text() == text && one->isVisible()) {
-        return one;
-      }
-    }
-    return nullptr;
-  }
-  [[nodiscard]] bool says(const QString& text) const {
-    for (QLabel* label : studio_->window->findChildren<QLabel*>()) {
-      if (label->isVisible() && label->text().contains(text)) {
-        return true;
-      }
-    }
-    return false;
-  }
-  void save(const QString& name) const { QVERIFY(studio_->screen().save(screenshot_path(name))); }
-  // Heading of a segment in the viewer: angle of its bone about the vertical.
-  [[nodiscard]] double azimuth(int segment) const {
-    const Eigen::Vector3d x =
-        workspace().viewer().pose()[static_cast<std::size_t>(segment)].R_WL * Eigen::Vector3d::UnitX();
-    return std::atan2(x.y(), x.x());
-  }
 
  private Q_SLOTS:
   void init() { apply_theme(*qApp, ThemeKind::kDark); }
@@ -147,99 +93,6 @@ class SolveWorkspaceTest : public QObject {
     QCOMPARE(workspace().viewer().selected(), -1);
   }
 
-  void turning_a_bone_sets_a_key_at_once_and_can_be_undone() {
-    open_solved();
-    TimeModel& time = studio_->context->time();
-    time.set_playhead(2.0);
-    studio_->context->selection().select(SelectionKind::kSegment, 2);
-    const double before = azimuth(2);
-    auto* box = find<QDoubleSpinBox>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
-    QVERIFY(box != nullptr && box->isEnabled());
-    box->setValue(40.0);
-    QVERIFY(std::abs(azimuth(2) - before - radians(40.0)) < 1e-6);
-    QCOMPARE(solving_->solved.load(), 1);  // No new solve.
-    time.set_playhead(4.0);
-    box->setValue(-20.0);
-    time.set_playhead(3.0);
-    QVERIFY(std::abs(box->value() - 10.0) < 1e-6);  // Half way between the two keys.
-    auto* list = find<QListWidget>(QStringLiteral("Keys of the rotation about the vertical"));
-    QCOMPARE(list->count(), 2);
-    QUndoStack& undo = studio_->context->undo_stack();
-    QCOMPARE(undo.count(), 2);
-    undo.undo();
-    undo.undo();
-    time.set_playhead(2.0);
-    QVERIFY(std::abs(azimuth(2) - before) < 1e-6);
-    QCOMPARE(list->count(), 0);
-    undo.redo();
-    QVERIFY(std::abs(azimuth(2) - before - radians(40.0)) < 1e-6);
-    // Kept with the solve.
-    QTRY_VERIFY(solving_->saved.load() >= 2);
-    const std::lock_guard lock(solving_->mutex);
-    QCOMPARE(solving_->stored->settings.headings[2].size(), std::size_t{1});
-    const auto pose = motion::pose_at(solving_->stored->clip, 2.0);
-    QVERIFY(pose[2].R_WL.angularDistance(workspace().viewer().pose()[2].R_WL) < 1e-6);
-  }
-
-  void a_slider_held_is_one_step_of_undo() {
-    open_solved();
-    studio_->context->selection().select(SelectionKind::kSegment, 1);
-    auto* slider = find<QSlider>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
-    QVERIFY(slider != nullptr);
-    slider->setSliderDown(true);
-    for (const int steps : {100, 200, 300}) {
-      slider->setSliderPosition(steps);
-    }
-    slider->setSliderDown(false);
-    QCOMPARE(studio_->context->undo_stack().count(), 1);
-    QVERIFY(std::abs(model().keys().value_at(1, 0.0) - radians(30.0)) < 1e-9);
-  }
-
-  void length_changes_at_once_and_can_be_undone() {
-    open_solved();
-    studio_->context->selection().select(SelectionKind::kSegment, 1);
-    auto* box = find<QDoubleSpinBox>(QStringLiteral("Length of the bone in millimetres"));
-    const double before = box->value();
-    const Eigen::Vector3d elbow = workspace().viewer().pose()[2].p_WL;
-    box->setValue(before + 50.0);
-    QVERIFY(std::abs((workspace().viewer().pose()[2].p_WL - elbow).norm() - 0.05) < 1e-6);
-    QCOMPARE(solving_->solved.load(), 1);
-    studio_->context->undo_stack().undo();
-    QVERIFY((workspace().viewer().pose()[2].p_WL - elbow).norm() < 1e-9);
-    QVERIFY(std::abs(box->value() - before) < 0.05);
-    studio_->context->undo_stack().redo();
-    // Survives a new solve and reaches the disk.
-    model().start();
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QVERIFY(std::abs(model().skeleton().segments[1].length - (before + 50.0) / 1000.0) < 1e-9);
-    QTRY_VERIFY([&] {
-      const std::lock_guard lock(solving_->mutex);
-      return std::abs(solving_->stored->clip.skeleton.segments[1].length - (before + 50.0) / 1000.0) < 1e-9;
-    }());
-  }
-
-  void smoothing_solves_again_and_undo_does_too() {
-    open_solved();
-    const double playhead = 3.0;
-    studio_->context->time().set_playhead(playhead);
-    auto* box = find<QComboBox>(QStringLiteral("Smoothing"));
-    box->setCurrentIndex(box->findText(QStringLiteral("None")));
-    Q_EMIT box->activated(box->currentIndex());
-    QTRY_COMPARE(solving_->solved.load(), 2);
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QCOMPARE(model().solve()->settings.smoothing, solve::Smoothing::kNone);
-    QCOMPARE(studio_->context->time().playhead_s(), playhead);  // One keeps one's place.
-    studio_->context->undo_stack().undo();
-    QTRY_COMPARE(solving_->solved.load(), 3);
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QCOMPARE(model().solve()->settings.smoothing, solve::SolveSettings{}.smoothing);
-    auto* strength = find<QSpinBox>(QStringLiteral("Time scale of the smoothing in milliseconds"));
-    strength->setValue(200);
-    QTRY_COMPARE(solving_->solved.load(), 4);
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QVERIFY(std::abs(model().solve()->settings.smoothing_s - 0.2) < 1e-9);
-  }
-
   void solving_shows_progress_and_can_be_cancelled() {
     start();
     solving_->block = true;
@@ -292,86 +145,6 @@ class SolveWorkspaceTest : public QObject {
     save(QStringLiteral("solve-bad-report"));
   }
 
-  void edits_of_one_take_are_saved_before_another_opens() {
-    open_solved();
-    QTRY_COMPARE(solving_->saved.load(), 1);
-    QVERIFY(model().change_length(1, 0.31));
-    open(QStringLiteral("other.take"));
-    QTRY_VERIFY(solving_->saved.load() > 1);
-    QVERIFY(!studio_->context->undo_stack().canUndo());
-    const std::lock_guard lock(solving_->mutex);
-    QVERIFY(std::abs(solving_->stored->clip.skeleton.segments[1].length - 0.31) < 1e-9);
-  }
-
-  void edits_made_while_it_is_solved_again_stay() {
-    open_solved();
-    QVERIFY(model().change_length(1, 0.33));
-    solving_->block = true;
-    model().start();
-    QTRY_COMPARE(solving_->solved.load(), 2);
-    QVERIFY(model().change_length(1, 0.4));
-    QVERIFY(model().key_editor().set_value(2, 1.0, 0.5));
-    model().save();  // Meets the solve that is going on.
-    solving_->block = false;
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QVERIFY(std::abs(model().skeleton().segments[1].length - 0.4) < 1e-9);
-    QVERIFY(std::abs(model().keys().value_at(2, 1.0) - 0.5) < 1e-9);
-    QTRY_VERIFY([&] {
-      const std::lock_guard lock(solving_->mutex);
-      return std::abs(solving_->stored->clip.skeleton.segments[1].length - 0.4) < 1e-9 &&
-             solving_->stored->settings.headings[2].size() == 1;
-    }());
-    studio_->context->undo_stack().undo();
-    studio_->context->undo_stack().undo();
-    QVERIFY(std::abs(model().skeleton().segments[1].length - 0.33) < 1e-9);
-  }
-
-  void an_older_state_never_follows_a_newer_one_on_disk() {
-    SolveWriter writer;
-    const int older = writer.issue(), newer = writer.issue();
-    std::vector<int> written;
-    const auto write = [&](int number, const char* take) {
-      return writer.write(number, take, [&] {
-        written.push_back(number);
-        return Status();
-      });
-    };
-    QVERIFY(write(newer, "a.take").ok());
-    QVERIFY(write(older, "a.take").ok());
-    QVERIFY(write(older, "b.take").ok());
-    QCOMPARE(written, (std::vector<int>{newer, older}));
-  }
-
-  void a_damaged_solve_is_set_aside_and_its_keys_live_on() {
-    FakeSolving made;
-    SolveServices services = core_solve_services();
-    services.solve = made.services().solve;
-    studio_ = std::make_unique<SolveStudio>(services);
-    const take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), made.seconds);
-    solve::SolveSettings settings;
-    settings.headings = {{}, {}, {{1.0, 0.5}}};
-    QVERIFY(solve::save_solve(take, made_up_solve(take, settings, made.seconds)).ok());
-    const std::filesystem::path solves = take.folder / "solves";
-    QFile clip(QString::fromStdString((solves / "default" / "clip.glb").string()));
-    QVERIFY(clip.open(QIODevice::WriteOnly) && clip.write("not a clip") == 10);
-    clip.close();
-    studio_->context->document().set(take);
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QCOMPARE(model().keys().keys(2).size(), std::size_t{1});
-    QVERIFY(std::filesystem::exists(solves / "default.damaged-1" / "settings.json"));
-    QVERIFY(studio_->context->notifications().all().back().text.contains(QStringLiteral("default.damaged-1")));
-    QTRY_VERIFY(std::filesystem::exists(solves / "default" / "clip.glb"));
-    QCOMPARE(services.list(take), std::vector<std::string>{"default"});
-    // With nothing to be read of it, it is kept all the same.
-    QTRY_VERIFY(studio_->context->jobs().jobs().empty());
-    std::filesystem::remove(solves / "default" / "settings.json");
-    studio_->context->document().close();
-    studio_->context->document().set(take);
-    QTRY_VERIFY(std::filesystem::exists(solves / "default.damaged-2" / "clip.glb"));
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    QCOMPARE(model().keys().keys(2).size(), std::size_t{0});
-  }
-
   void a_solve_that_fails_again_says_so_over_the_older_one() {
     open_solved();
     solving_->failure = Error{"the calibration library has nothing for this rig", "", "calibrate its sensors"};
@@ -414,55 +187,6 @@ class SolveWorkspaceTest : public QObject {
     QVERIFY(studio_->context->document().is_open());
   }
 
-  void markers_on_the_timeline_go_through_undo() {
-    start();
-    take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), solving_->seconds);
-    take.events = {{SampleIndex{96000 + 48000}, "marker", "clap", 1}};
-    std::filesystem::create_directories(take.folder);
-    studio_->context->document().set(take);
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    studio_->window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(studio_->window.get()));
-    MarkerModel& markers = studio_->context->markers();
-    auto* canvas = studio_->window->findChild<TimelineCanvas*>();
-    QVERIFY(canvas != nullptr && canvas->marker_position(1).has_value());
-    canvas->setFocus();
-    const QPoint from = canvas->marker_position(1)->toPoint();
-    QTest::mousePress(canvas, Qt::LeftButton, {}, from);
-    for (const int by : {30, 60, 90}) {
-      const QPointF at = from + QPoint(by, 0);
-      QMouseEvent move(QEvent::MouseMove, at, canvas->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
-      QApplication::sendEvent(canvas, &move);
-    }
-    QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(90, 0));
-    const double moved = markers.time_s(*markers.find(1));
-    QVERIFY(std::abs(moved - 3.0 - 90 * canvas->scale().seconds_per_pixel()) < 1.0 / 60.0);
-    QCOMPARE(studio_->context->undo_stack().count(), 1);
-    QCOMPARE(studio_->context->selection().marker(), std::int64_t{1});
-    QTest::keyClick(canvas, Qt::Key_F2);
-    auto* field = canvas->findChild<QLineEdit*>();
-    QVERIFY(field != nullptr);
-    QTest::keyClicks(field, QStringLiteral("jump"));
-    QTest::keyClick(field, Qt::Key_Return);
-    QCOMPARE(markers.find(1)->text, QStringLiteral("jump"));
-    save(QStringLiteral("solve-marker"));
-    QTest::keyClick(canvas, Qt::Key_Delete);
-    QVERIFY(markers.markers().empty());
-    QVERIFY(!canvas->marker_position(1).has_value());
-    QCOMPARE(studio_->context->selection().item().kind, SelectionKind::kNone);
-    for (const int steps : {2, 1, 0}) {
-      QTest::keyClick(canvas, Qt::Key_Z, Qt::ControlModifier);
-      QCOMPARE(studio_->context->undo_stack().index(), steps);
-    }
-    QCOMPARE(markers.find(1)->text, QStringLiteral("clap"));
-    QCOMPARE(markers.time_s(*markers.find(1)), 3.0);
-    // All of it stands in the take.
-    studio_->context->saves().finish();
-    QFile lines(QString::fromStdString((take.folder / "events.jsonl").string()));
-    QVERIFY(lines.open(QIODevice::ReadOnly));
-    QCOMPARE(lines.readAll().count('\n'), 6);
-  }
-
   void curves_are_shown_with_the_solve() {
     open_solved();
     const QImage picture = workspace().curves().grab().toImage();
@@ -479,25 +203,6 @@ class SolveWorkspaceTest : public QObject {
       }
     }
     QVERIFY2(coloured > 100, "the second sensor's curve is there");
-  }
-
-  void m_sets_a_marker_at_the_playhead() {
-    start();
-    take::Take take = made_up_take(studio_->take_folder(QStringLiteral("swing.take")), solving_->seconds);
-    take.events.clear();
-    std::filesystem::create_directories(take.folder);
-    studio_->context->document().set(take);
-    QTRY_COMPARE(model().state(), SolveState::kSolved);
-    studio_->window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(studio_->window.get()));
-    studio_->context->time().set_playhead(1.5);
-    QTest::keyClick(studio_->window.get(), Qt::Key_M);
-    MarkerModel& markers = studio_->context->markers();
-    QCOMPARE(markers.markers().size(), std::size_t{1});
-    QVERIFY(std::abs(markers.time_s(markers.markers().front()) - 3.5) < 1e-3);
-    QCOMPARE(studio_->context->selection().marker(), markers.newest());
-    QTest::keyClick(studio_->window.get(), Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(markers.markers().empty());
   }
 
   void nothing_slow_is_done_in_the_windows_own_thread() {
@@ -613,6 +318,37 @@ class SolveWorkspaceTest : public QObject {
     save(QStringLiteral("export-light"));
     apply_theme(*qApp, ThemeKind::kDark);
     save(QStringLiteral("export-dark"));
+  }
+
+  void a_driver_boxs_take_is_solved_by_the_body_filter() {
+    solving_ = std::make_unique<FakeSolving>();
+    studio_ = std::make_unique<SolveStudio>(core_solve_services());
+    QVERIFY(QTest::qWaitForWindowExposed(studio_->window.get()));
+    simulate::SimulateSettings settings;
+    settings.rig = "driver-box-body";
+    settings.motion = "walk";
+    settings.seconds = 3.0;
+    settings.errors_name = "none";
+    settings.driver_box_errors = simulate::load_driver_box_errors("none").value();
+    const QString folder = studio_->take_folder(QStringLiteral("box.take"));
+    const Status made = simulate::simulate_take(folder.toStdString(), settings, {});
+    QVERIFY2(made.ok(), made ? "" : made.error().text().c_str());
+    studio_->context->document().set(take::open_take(folder.toStdString()).value());
+    QTRY_COMPARE_WITH_TIMEOUT(model().state(), SolveState::kSolved, 120000);
+    QVERIFY(!model().by_inclination());
+    QVERIFY(says(QStringLiteral("By the body filter")));
+    QCOMPARE(find<QComboBox>(QStringLiteral("Smoothing"))->isVisible(), false);
+    QVERIFY(model().evaluation().has_value());
+    QVERIFY2(model().evaluation()->all.inclination_mean_deg < 3.0, "the figure follows the body");
+    // Eighteen sensors do not fit: the selected one is scrolled to.
+    auto* bar = workspace().findChild<CurvesPanel*>()->findChild<QScrollBar*>();
+    QVERIFY(bar->isVisible());
+    QCOMPARE(bar->value(), 0);
+    studio_->context->selection().select(SelectionKind::kSegment, model().skeleton().find("right_foot"));
+    QVERIFY(bar->value() > 0);
+    save(QStringLiteral("solve-driver-box"));
+    studio_->window->show_workspace(QStringLiteral("calibrate"));
+    QVERIFY(says(QStringLiteral("This take needs no calibration by hand")));
   }
 };
 

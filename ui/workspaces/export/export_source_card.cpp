@@ -34,6 +34,7 @@ ExportSourceCard::ExportSourceCard(StudioContext& context, ExportModel& model, Q
   menu->addAction(icon(QStringLiteral("folder")), tr("A take…"), this, &ExportSourceCard::choose_take);
   menu->addAction(icon(QStringLiteral("import")), tr("An animation…"), this, [this] { choose_animation(true); });
   add->setMenu(menu);
+  set_style_property(add, "menu", true);
   auto* row = new QHBoxLayout;
   row->setSpacing(kGrid);
   row->addWidget(source_, 1);

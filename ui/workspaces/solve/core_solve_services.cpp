@@ -1,10 +1,21 @@
+#include "solve/body_solve.h"
 #include "workspaces/solve/solve_services.h"
 
 namespace limbwave::ui {
 
 SolveServices core_solve_services() {
   SolveServices services;
-  services.solve = solve::solve_take;
+  // A sound card's take by inclination; what hears more than gravity by the body filter, in both directions of time.
+  services.solve = [](const take::Take& take, const solve::SolveSettings& settings,
+                      const Progress& progress) -> Result<solve::Solve> {
+    if (take.info.kind == "line-in") {
+      return solve::solve_take(take, settings, progress);
+    }
+    solve::BodySolveSettings body;
+    body.name = settings.name;
+    body.smooth = true;
+    return solve::solve_sensors(take, body, progress);
+  };
   services.save = solve::save_solve;
   services.load = solve::load_solve;
   services.load_settings = solve::load_solve_settings;

@@ -17,6 +17,7 @@ namespace {
 constexpr double kNames = 128;
 constexpr double kValues = 132;
 constexpr double kHeader = 22;
+constexpr double kLeastRow = 22;
 constexpr double kTrustHeight = 5;
 constexpr double kHighest = 90.0;  // Degrees.
 
@@ -34,7 +35,11 @@ QColor confidence_color(double fraction) {
   return {mix(0), mix(1), mix(2)};
 }
 
-CurvesPanel::CurvesPanel(TimeModel& time, QWidget* parent) : QWidget(parent), time_(time) {
+CurvesPanel::CurvesPanel(TimeModel& time, QWidget* parent)
+    : QWidget(parent), time_(time), bar_(new QScrollBar(Qt::Vertical, this)) {
+  bar_->hide();
+  bar_->setSingleStep(static_cast<int>(kLeastRow));
+  connect(bar_, &QScrollBar::valueChanged, this, &CurvesPanel::redraw);
   setAccessibleName(tr("Inclination and trust of every sensor"));
   setMouseTracking(true);
   connect(&time_, &TimeModel::visible_changed, this, &CurvesPanel::redraw);
@@ -45,21 +50,50 @@ CurvesPanel::CurvesPanel(TimeModel& time, QWidget* parent) : QWidget(parent), ti
 void CurvesPanel::set_curves(SensorCurves curves, std::vector<double> times) {
   curves_ = std::move(curves);
   times_ = std::move(times);
+  fit_bar();
   redraw();
+}
+
+void CurvesPanel::fit_bar() {
+  const int seen = std::max(1, static_cast<int>(height() - kHeader));
+  const int all = static_cast<int>(std::ceil(kLeastRow * static_cast<double>(rows())));
+  bar_->setRange(0, std::max(0, all - seen));
+  bar_->setPageStep(seen);
+  bar_->setVisible(all > seen);
+  bar_->setGeometry(width() - bar_->sizeHint().width(), static_cast<int>(kHeader), bar_->sizeHint().width(), seen);
+}
+
+double CurvesPanel::room() const {
+  return bar_->isHidden() ? width() : width() - bar_->width();
+}
+
+double CurvesPanel::row_height() const {
+  return std::max(kLeastRow, (height() - kHeader) / static_cast<double>(std::max<std::size_t>(1, rows())));
 }
 
 void CurvesPanel::select_segment(int segment) {
   selected_ = segment;
+  for (std::size_t row = 0; segment >= 0 && row < rows() && !bar_->isHidden(); ++row) {
+    if ((*curves_)[row].segment == segment) {
+      const QRectF area = row_rect(row);
+      const double hidden_above = kHeader - area.top();
+      const double hidden_below = area.bottom() - height();
+      bar_->setValue(bar_->value() + static_cast<int>(std::lround(hidden_below > 0.0   ? hidden_below
+                                                                  : hidden_above > 0.0 ? -hidden_above
+                                                                                       : 0.0)));
+      break;
+    }
+  }
   redraw();
 }
 
 TimeScale CurvesPanel::scale() const {
-  return {time_.visible_begin_s(), time_.visible_end_s(), kNames, std::max(1.0, width() - kNames - kValues)};
+  return {time_.visible_begin_s(), time_.visible_end_s(), kNames, std::max(1.0, room() - kNames - kValues)};
 }
 
 QRectF CurvesPanel::row_rect(std::size_t row) const {
-  const double each = (height() - kHeader) / static_cast<double>(std::max<std::size_t>(1, rows()));
-  return {0.0, kHeader + each * static_cast<double>(row), static_cast<double>(width()), each};
+  const double scrolled = bar_->isHidden() ? 0.0 : bar_->value();
+  return {0.0, kHeader + row_height() * static_cast<double>(row) - scrolled, room(), row_height()};
 }
 
 std::ptrdiff_t CurvesPanel::index_at(double time_s) const {
@@ -83,6 +117,7 @@ void CurvesPanel::redraw() {
 
 void CurvesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  fit_bar();
   redraw();
 }
 
@@ -109,13 +144,18 @@ void CurvesPanel::paintEvent(QPaintEvent* /*event*/) {
 void CurvesPanel::draw(QPainter& painter) const {
   const ThemeColors& theme = theme_colors(palette());
   painter.fillRect(rect(), theme.base);
+  for (std::size_t row = 0; row < rows(); ++row) {
+    if (const QRectF area = row_rect(row); area.bottom() > kHeader && area.top() < height()) {
+      draw_row(painter, row);
+    }
+  }
   painter.fillRect(QRectF(0, 0, width(), kHeader), theme.panel);
   painter.setFont(tabular(font(), 0.85));
   painter.setPen(theme.dim);
   painter.drawText(QRectF(kNames, 0, width(), kHeader), Qt::AlignVCenter, tr("Elevation of the bone, −90° to 90°"));
   // The scale of trust, right beside its name.
   const QString trust = tr("Trust");
-  const QRectF bar(width() - kValues - 140, kHeader / 2 - 3, 64, 6);
+  const QRectF bar(room() - kValues - 140, kHeader / 2 - 3, 64, 6);
   const double named = painter.fontMetrics().horizontalAdvance(trust) + 4.0;
   painter.drawText(QRectF(bar.left() - 20 - named, 0, named, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
   painter.drawText(QRectF(bar.left() - 16, 0, 12, kHeader), Qt::AlignVCenter | Qt::AlignRight, QStringLiteral("0"));
@@ -124,12 +164,9 @@ void CurvesPanel::draw(QPainter& painter) const {
     painter.fillRect(QRectF(bar.left() + x, bar.top(), 1, bar.height()), confidence_color(x / bar.width()));
   }
   // Above the values at the playhead.
-  const double values = width() - kValues + kGrid;
+  const double values = room() - kValues + kGrid;
   painter.drawText(QRectF(values - 40, 0, 92, kHeader), Qt::AlignVCenter | Qt::AlignRight, tr("Elevation"));
   painter.drawText(QRectF(values + 60, 0, 56, kHeader), Qt::AlignVCenter | Qt::AlignRight, trust);
-  for (std::size_t row = 0; row < rows(); ++row) {
-    draw_row(painter, row);
-  }
 }
 
 void CurvesPanel::draw_row(QPainter& painter, std::size_t row) const {
@@ -143,8 +180,8 @@ void CurvesPanel::draw_row(QPainter& painter, std::size_t row) const {
     painter.fillRect(area, tint);
   }
   painter.setPen(QPen(theme.grid, 1));
-  painter.drawLine(QPointF(0, std::round(area.top()) + 0.5), QPointF(width(), std::round(area.top()) + 0.5));
-  const QRectF plot(kNames, area.top() + 3, width() - kNames - kValues, area.height() - kTrustHeight - 5);
+  painter.drawLine(QPointF(0, std::round(area.top()) + 0.5), QPointF(room(), std::round(area.top()) + 0.5));
+  const QRectF plot(kNames, area.top() + 3, room() - kNames - kValues, area.height() - kTrustHeight - 5);
   const double zero = std::round(plot.center().y()) + 0.5;
   painter.setPen(QPen(theme.grid, 1, Qt::DashLine));
   painter.drawLine(QPointF(plot.left(), zero), QPointF(plot.right(), zero));
@@ -231,7 +268,7 @@ void CurvesPanel::draw_values(QPainter& painter) const {
   }
   const ThemeColors& theme = theme_colors(palette());
   const double x = std::round(scale().x(time_.playhead_s())) + 0.5;
-  if (x >= kNames - 1 && x <= width() - kValues + 1) {
+  if (x >= kNames - 1 && x <= room() - kValues + 1) {
     painter.setPen(QPen(theme.accent, 1));
     painter.drawLine(QPointF(x, kHeader), QPointF(x, height()));
   }
@@ -241,7 +278,10 @@ void CurvesPanel::draw_values(QPainter& painter) const {
     const auto i = static_cast<std::size_t>(index);
     const SensorCurve& curve = (*curves_)[row];
     const QRectF area = row_rect(row);
-    const QRectF cell(width() - kValues + kGrid, area.top(), kValues - 2 * kGrid, area.height());
+    if (area.center().y() < kHeader || area.top() > height()) {
+      continue;
+    }
+    const QRectF cell(room() - kValues + kGrid, area.top(), kValues - 2 * kGrid, area.height());
     painter.setPen(theme.text);
     if (i < curve.elevation_deg.size() && std::isfinite(curve.elevation_deg[i])) {
       painter.drawText(QRectF(cell.left(), cell.top(), 52, cell.height()), Qt::AlignVCenter | Qt::AlignRight,
@@ -260,8 +300,11 @@ void CurvesPanel::mousePressEvent(QMouseEvent* event) {
     return;
   }
   const QPointF at = event->position();
+  if (at.y() < kHeader) {
+    return;
+  }
   for (std::size_t row = 0; row < rows(); ++row) {
-    if (row_rect(row).contains(at) && (at.x() < kNames || at.x() > width() - kValues)) {
+    if (row_rect(row).contains(at) && (at.x() < kNames || at.x() > room() - kValues)) {
       Q_EMIT segment_clicked((*curves_)[row].segment);
       return;
     }
@@ -277,6 +320,12 @@ void CurvesPanel::mouseMoveEvent(QMouseEvent* event) {
 
 void CurvesPanel::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
+  const double x = event->position().x();
+  if (!bar_->isHidden() && (x < kNames || x > room() - kValues)) {
+    bar_->setValue(bar_->value() - static_cast<int>(std::lround(3.0 * kLeastRow * notches)));
+    event->accept();
+    return;
+  }
   if ((event->modifiers() & Qt::ShiftModifier) != 0 || event->angleDelta().x() != 0) {
     const double by =
         -(notches + event->angleDelta().x() / 120.0) * 0.1 * (time_.visible_end_s() - time_.visible_begin_s());

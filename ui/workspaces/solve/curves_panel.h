@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QPixmap>
+#include <QScrollBar>
 #include <QWidget>
 #include <vector>
 
@@ -12,7 +13,8 @@
 namespace limbwave::ui {
 
 /// Shares playhead and visible range with the timeline; click and drag scrub, the wheel zooms. An hour is drawn as fast
-/// as a second: whatever the range, a paint looks at a few values per pixel.
+/// as a second: whatever the range, a paint looks at a few values per pixel. More sensors than there is room for
+/// scroll: by the bar, or the wheel over names and values.
 class CurvesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -39,10 +41,14 @@ class CurvesPanel : public QWidget {
 
  private:
   [[nodiscard]] std::size_t rows() const { return curves_ ? curves_->size() : 0; }
+  /// Without the scroll bar.
+  [[nodiscard]] double room() const;
+  [[nodiscard]] double row_height() const;
   [[nodiscard]] TimeScale scale() const;
   [[nodiscard]] QRectF row_rect(std::size_t row) const;
   /// The value whose time is nearest to the playhead; -1 without values.
   [[nodiscard]] std::ptrdiff_t index_at(double time_s) const;
+  void fit_bar();
   void redraw();
   void draw(QPainter& painter) const;
   void draw_row(QPainter& painter, std::size_t row) const;
@@ -51,6 +57,7 @@ class CurvesPanel : public QWidget {
   void draw_values(QPainter& painter) const;
 
   TimeModel& time_;
+  QScrollBar* bar_;
   SensorCurves curves_;
   std::vector<double> times_;
   int selected_ = -1;

@@ -8,7 +8,8 @@ namespace limbwave::ui {
 
 namespace {
 
-constexpr double kStep_s = 0.02;  // A turn at once takes this long: keys never stand closer than a frame.
+constexpr int kKeepAfterMs = 300;  // A slider sends many values.
+constexpr double kStep_s = 0.02;   // A turn at once takes this long: keys never stand closer than a frame.
 
 }  // namespace
 
@@ -22,6 +23,7 @@ class TurnLiveCommand : public QUndoCommand {
       setObsolete(true);
     } else if (in_this_recording()) {
       model_.turns_.push_back(turn_);
+      model_.keep_soon();
     } else {
       start_from(turn_.after);
     }
@@ -31,6 +33,7 @@ class TurnLiveCommand : public QUndoCommand {
       setObsolete(true);
     } else if (in_this_recording()) {
       std::erase_if(model_.turns_, [this](const LiveHeadings::Turn& one) { return one.id == turn_.id; });
+      model_.keep_soon();
     } else {
       start_from(turn_.before);
     }
@@ -47,6 +50,7 @@ class TurnLiveCommand : public QUndoCommand {
     if (in_this_recording() && model_.turns_.size() >= 2) {
       model_.turns_.pop_back();
       model_.turns_.back() = turn_;
+      model_.keep_soon();
     }
     return true;
   }
@@ -58,6 +62,7 @@ class TurnLiveCommand : public QUndoCommand {
     const auto i = static_cast<std::size_t>(turn_.segment);
     if (model_.recording_ && !recorded_ && i < model_.start_.size()) {
       model_.start_[i] = heading;
+      model_.keep_soon();
     }
   }
 
@@ -75,6 +80,9 @@ LiveHeadings& LiveHeadings::of(StudioContext& context) {
 }
 
 LiveHeadings::LiveHeadings(StudioContext& context) : QObject(&context), context_(context) {
+  keep_.setSingleShot(true);
+  keep_.setInterval(kKeepAfterMs);
+  connect(&keep_, &QTimer::timeout, this, &LiveHeadings::keep);
   connect(&context_.live(), &LiveModel::state_changed, this, &LiveHeadings::follow_state);
   connect(&context_.live(), &LiveModel::recording_changed, this, &LiveHeadings::follow_recording);
   follow_state();
@@ -106,8 +114,28 @@ void LiveHeadings::follow_recording() {
     folder_ = context_.live().recording_folder();
     start_ = values_;
     turns_.clear();
+    if (std::any_of(start_.begin(), start_.end(), [](double value) { return value != 0.0; })) {
+      keep_soon();
+    }
+  }
+  if (!now && recording_ && keep_.isActive()) {
+    keep();
   }
   recording_ = now;
+}
+
+void LiveHeadings::keep_soon() {
+  if (!keep_.isActive()) {
+    keep_.start();
+  }
+}
+
+void LiveHeadings::keep() {
+  keep_.stop();
+  context_.saves().add(tr("The turns of bones are not kept"), folder_,
+                       [headings = keys_of(folder_)](const std::filesystem::path& now) {
+                         return solve::save_live_headings(now, headings);
+                       });
 }
 
 double LiveHeadings::value(int segment) const {

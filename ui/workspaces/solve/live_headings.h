@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -49,6 +50,9 @@ class LiveHeadings : public QObject {
   /// Turns a segment now. False when it does not exist any more.
   bool apply(int segment, double heading);
   [[nodiscard]] double recorded_s() const;
+  /// Puts the recording's keys into its take, soon: whatever happens to this program, they are with the samples.
+  void keep_soon();
+  void keep();
 
   StudioContext& context_;
   std::vector<std::string> names_;  ///< Of the segments that `values_` belong to.
@@ -58,6 +62,7 @@ class LiveHeadings : public QObject {
   std::vector<double> start_;     ///< When it began.
   std::vector<Turn> turns_;       ///< In it, in order.
   int gestures_ = 0, turn_ids_ = 0;
+  QTimer keep_;
 };
 
 }  // namespace limbwave::ui

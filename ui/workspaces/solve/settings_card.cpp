@@ -7,6 +7,7 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "common/core_text.h"
 #include "common/theme.h"
 #include "solve/report_text.h"
 #include "workspaces/solve/quality_text.h"
@@ -62,13 +63,17 @@ void SettingsCard::build() {
   hint_->setWordWrap(true);
   source_ = dim_label({}, this);
   source_->setWordWrap(true);
-  grid->addWidget(dim_label(tr("Smoothing"), this), 0, 0);
+  auto* smoothing_label = dim_label(tr("Smoothing"), this);
+  auto* strength_label = dim_label(tr("Strength"), this);
+  auto* calibration_label = dim_label(tr("Calibration"), this);
+  for_inclination_ = {smoothing_label, strength_label, calibration_label, smoothing_, strength_, slider_, calibration_};
+  grid->addWidget(smoothing_label, 0, 0);
   grid->addWidget(smoothing_, 0, 1);
-  grid->addWidget(dim_label(tr("Strength"), this), 1, 0);
+  grid->addWidget(strength_label, 1, 0);
   grid->addWidget(strength_, 1, 1);
   grid->addWidget(slider_, 2, 0, 1, 2);
   grid->addWidget(hint_, 3, 0, 1, 2);
-  grid->addWidget(dim_label(tr("Calibration"), this), 4, 0);
+  grid->addWidget(calibration_label, 4, 0);
   grid->addWidget(calibration_, 4, 1);
   grid->addWidget(source_, 5, 0, 1, 2);
   body()->addLayout(grid);
@@ -115,7 +120,13 @@ void SettingsCard::show_settings() {
   showing_ = true;
   const solve::SolveSettings& settings = model_.settings();
   smoothing_->setCurrentIndex(smoothing_->findData(static_cast<int>(settings.smoothing)));
-  hint_->setText(smoothing_hint(settings.smoothing));
+  for (QWidget* widget : for_inclination_) {
+    widget->setVisible(model_.by_inclination());
+  }
+  hint_->setText(model_.by_inclination()
+                     ? smoothing_hint(settings.smoothing)
+                     : tr("By the body filter, forward and backward, from all sensors. Other choices of sensors and of "
+                          "the root are made by the command line: limbwave solve."));
   const auto milliseconds = static_cast<int>(std::lround(1000.0 * settings.smoothing_s));
   strength_->setValue(milliseconds);
   slider_->setValue(milliseconds);
@@ -131,7 +142,7 @@ void SettingsCard::show_state() {
   setEnabled(model_.state() != SolveState::kNoTake);
   solve_->setText(busy ? tr("Cancel solving") : (model_.solve() ? tr("Solve again") : tr("Solve")));
   solve_->setEnabled(model_.state() != SolveState::kNoTake && model_.state() != SolveState::kLoading);
-  const QString used = model_.solve() ? QString::fromStdString(model_.solve()->report.calibration) : QString();
+  const QString used = model_.solve() ? core_text(model_.solve()->report.calibration) : QString();
   source_->setText(used.isEmpty() ? QString() : tr("Used: %1").arg(used));
   source_->setVisible(!used.isEmpty());
 }

@@ -16,6 +16,7 @@ class SettingsCard : public Card {
   explicit SettingsCard(SolveModel& model, QWidget* parent = nullptr);
 
  private:
+  std::vector<QWidget*> for_inclination_;  ///< Hidden where the body filter solves.
   void build();
   void show_settings();
   void show_state();

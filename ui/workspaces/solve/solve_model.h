@@ -28,6 +28,8 @@ class SolveModel : public QObject {
   SolveModel(StudioContext& context, SolveServices services);
 
   [[nodiscard]] SolveState state() const { return state_; }
+  /// A sound card's take; others are solved by the body filter.
+  [[nodiscard]] bool by_inclination() const { return !take_ || take_->info.kind == "line-in"; }
   /// The solve as it was computed or loaded: without later edits of headings and lengths. Null before.
   [[nodiscard]] const std::shared_ptr<const solve::Solve>& solve() const { return solve_; }
   [[nodiscard]] const solve::SolveSettings& settings() const { return settings_; }

@@ -1,6 +1,7 @@
 #include "workspaces/solve/solve_run.h"
 
 #include "solve/compose.h"
+#include "solve/solve.h"
 #include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui {
@@ -47,6 +48,9 @@ Result<solve::Solve> read_or_solve(const SolveServices& services, const SolveReq
     outcome.aside = std::move(aside).value();
   }
   outcome.fresh = true;
+  if (settings.headings.empty()) {
+    settings.headings = solve::known_headings(*request.take, settings.name);
+  }
   return services.solve(*request.take, settings, progress.part(0.0, 0.9));
 }
 

@@ -105,8 +105,10 @@ QWidget* SolveWorkspace::make_toolbar() {
   };
   toggle(QStringLiteral("grid"), tr("Show the floor"), [this](bool on) { viewer_->set_floor_visible(on); });
   toggle(QStringLiteral("sensor"), tr("Show the sensors"), [this](bool on) { viewer_->set_sensors_visible(on); });
+  // Not at first: without headings the two point elsewhere, which looks like a fault of the solve.
   ghost_ = toggle(QStringLiteral("person"), tr("Show the truth of this simulated take"),
                   [this](bool on) { viewer_->set_ghost_visible(on); });
+  ghost_->setChecked(false);
   connect(live_button_, &QPushButton::clicked, this, [this](bool live) {
     wish_ = live;
     follow_live();
@@ -266,10 +268,12 @@ void SolveWorkspace::show_state() {
   } else if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
     const std::size_t frames = clip.joints.empty() ? 0 : clip.joints.front().rotation.times.size();
-    const QString facts = tr("%1 of motion, %2 frames at %3 Hz, smoothing: %4")
-                              .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
-                                   locale().toString(clip.frame_rate_hz, 'f', 2),
-                                   smoothing_name(model_.solve()->settings.smoothing).toLower());
+    QString facts = tr("%1 of motion, %2 frames at %3 Hz")
+                        .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
+                             locale().toString(clip.frame_rate_hz, 'f', 2));
+    if (model_.by_inclination()) {
+      facts = tr("%1, smoothing: %2").arg(facts, smoothing_name(model_.solve()->settings.smoothing).toLower());
+    }
     // The truth, where it is known, tells more than anything else.
     const auto& evaluation = model_.evaluation();
     const QString headline =
