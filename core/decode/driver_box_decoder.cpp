@@ -13,6 +13,7 @@ namespace limbwave::decode {
 namespace {
 
 constexpr double kWordsLate_s = 0.031;  // a word joined to the one before is there by then
+constexpr std::size_t kStretch = 4096;  // samples at a time
 constexpr double kKept_s = 0.1;         // of words
 
 }  // namespace
@@ -120,11 +121,20 @@ void DriverBoxDecoder::push(std::span<const float> interleaved) {
   const std::size_t wires = d.wires();
   const std::size_t frames = interleaved.size() / wires;
   d.each([&](std::size_t w) {
-    if (d.parameters.ranges) {
-      d.ranging[w].listen(interleaved.data() + w, frames, wires);
-    }
-    if (d.parameters.inertial) {
-      d.words[w].push(interleaved.data() + w, frames, wires);
+    // Out of the frames once for both decoders.
+    std::vector<float> line(std::min(frames, kStretch));
+    for (std::size_t at = 0; at < frames; at += kStretch) {
+      const std::size_t count = std::min(kStretch, frames - at);
+      const float* from = interleaved.data() + at * wires + w;
+      for (std::size_t i = 0; i < count; ++i) {
+        line[i] = from[i * wires];
+      }
+      if (d.parameters.ranges) {
+        d.ranging[w].listen(line.data(), count, 1);
+      }
+      if (d.parameters.inertial) {
+        d.words[w].push(line.data(), count, 1);
+      }
     }
   });
   d.settle();

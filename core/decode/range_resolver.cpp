@@ -18,6 +18,8 @@ constexpr double kNowhere = 0.6;        // radians, of a direction that is not k
 constexpr double kPoseAngle = 0.06;     // radians, of one that a pose filter tells
 constexpr double kDoubt = 4.0;          // standard deviations of the mean of envelope minus carrier
 constexpr double kPairForgets = 0.7;    // seconds
+constexpr double kFarthest = 3.5;       // standard deviations of the envelope
+constexpr double kContradiction = 0.2;  // a guess that is surer than this can contradict another
 constexpr double kOverload = 0.85;      // of full scale: from there on the shape is not the pulse's, but the phase is
 constexpr double kOverloaded = 0.020;   // metres
 constexpr double kSure = 0.030;         // metres: who expects a range this well chooses among arrivals
@@ -71,12 +73,13 @@ RangeReading RangeResolver::blank(const HeardSlot& heard) const {
 void RangeResolver::add(const HeardSlot& heard, const TrackerStep& step) {
   followed_.tracker.advance(step);
   followed_.pass_on();
-  const RangeReading reading = judge(heard, step, followed_, true);
+  Guess guess;
+  const RangeReading reading = judge(heard, step, followed_, true, guess);
   if (stretch_ == 0 || parameters_.method == RangingMethod::kPaper) {
     readings_.push_back(reading);
     return;
   }
-  kept_.push_back({heard, step, reading});
+  kept_.push_back({heard, step, reading, guess});
   if (kept_.size() >= 3 * stretch_) {
     settle(2 * stretch_);
   }
@@ -98,9 +101,10 @@ void RangeResolver::settle(std::size_t count) {
   for (std::size_t i = kept_.size(); i-- > 0;) {
     Kept& kept = kept_[i];
     back.tracker.sit(kept.step.board);
-    const RangeReading reading = judge(kept.heard, kept.step, back, false);
+    Guess guess;
+    const RangeReading reading = judge(kept.heard, kept.step, back, false, guess);
     if (i < count) {
-      kept.reading = better(kept.reading, reading, wavelength_);
+      kept.reading = better(kept, reading, guess, wavelength_);
     }
     back.tracker.retreat(kept.step);
   }
@@ -110,10 +114,13 @@ void RangeResolver::settle(std::size_t count) {
   }
 }
 
-RangeReading RangeResolver::better(const RangeReading& forward, const RangeReading& backward, double wavelength) {
+RangeReading RangeResolver::better(const Kept& kept, const RangeReading& backward, const Guess& guess,
+                                   double wavelength) {
+  const RangeReading& forward = kept.reading;
   const bool f = forward.verdict == RangeVerdict::kAccepted;
   const bool b = backward.verdict == RangeVerdict::kAccepted;
-  if (f && b && std::abs(forward.range - backward.range) > 0.5 * wavelength) {
+  const bool both_guess = (f || kept.guess.failure < kContradiction) && (b || guess.failure < kContradiction);
+  if ((f || b) && both_guess && std::abs(kept.guess.range - guess.range) > 0.5 * wavelength) {
     // Past and future disagree.
     RangeReading neither = forward;
     neither.range = forward.envelope_range;
@@ -127,7 +134,8 @@ RangeReading RangeResolver::better(const RangeReading& forward, const RangeReadi
   return best.verdict == RangeVerdict::kAmbiguous && (f || b) ? other : best;
 }
 
-RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward) {
+RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
+                                  Guess& guess) {
   RangeTracker& tracker = followed.tracker;
   RangeReading reading = blank(heard);
   if (const auto expected = tracker.expect(heard.source, step.source)) {
@@ -141,7 +149,7 @@ RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& ste
   } else if (heard.count == 0) {
     reading.verdict = heard.noise_now > 8.0 * heard.noise ? RangeVerdict::kDisturbed : RangeVerdict::kNothingHeard;
   } else {
-    by_envelope(heard, step, followed, forward, reading);
+    by_envelope(heard, step, followed, forward, reading, guess);
   }
   return reading;
 }
@@ -191,7 +199,7 @@ void RangeResolver::weigh(const RangingSource& source, double range, double ampl
 }
 
 void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
-                                RangeReading& reading) {
+                                RangeReading& reading, Guess& guess) {
   RangeTracker& tracker = followed.tracker;
   const RangingSource& source = format_.sources[static_cast<std::size_t>(heard.source)];
   const double c = format_.speed_of_sound;
@@ -251,7 +259,11 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
     return;
   }
   const CycleResult result = resolve(phase_variance, step, *expected, told, reading, followed);
-  if (result.failure <= parameters_.failure && phase_variance < parameters_.finest * parameters_.finest) {
+  guess = {result.range, result.failure};
+  const double off = result.range - reading.envelope_range;
+  const bool near =
+      off * off <= kFarthest * kFarthest * (parameters_.caution * reading.envelope_variance + phase_variance);
+  if (near && result.failure <= parameters_.failure && phase_variance < parameters_.finest * parameters_.finest) {
     reading.verdict = RangeVerdict::kAccepted;
     reading.range = result.range;
     reading.variance = phase_variance;

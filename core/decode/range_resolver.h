@@ -33,10 +33,16 @@ class RangeResolver {
   std::vector<RangeReading> take();
 
  private:
+  /// The likeliest range by the carrier, accepted or not.
+  struct Guess {
+    double range = 0.0;
+    double failure = 1.0;  // probability of other whole cycles
+  };
   struct Kept {
     HeardSlot heard;
     TrackerStep step;
     RangeReading reading;
+    Guess guess;
   };
   struct Direction {
     double angle = 0.0, sd = 0.0;  // off a source's normal, radians
@@ -56,10 +62,11 @@ class RangeResolver {
     void pass_on();  ///< Corrections of the tracker to the pairs.
   };
   [[nodiscard]] RangeReading blank(const HeardSlot& heard) const;
-  [[nodiscard]] RangeReading judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward);
+  [[nodiscard]] RangeReading judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
+                                   Guess& guess);
   void by_paper(const HeardSlot& heard, const TrackerStep& step, RangeTracker& tracker, RangeReading& reading) const;
   void by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
-                   RangeReading& reading);
+                   RangeReading& reading, Guess& guess);
   [[nodiscard]] const Arrival& straight(const HeardSlot& heard,
                                         const std::optional<RangeTracker::Expectation>& expected) const;
   void weigh(const RangingSource& source, double range, double amplitude, double noise, const Direction& towards,
@@ -72,7 +79,7 @@ class RangeResolver {
               Followed& followed) const;
   void watch(const RangeReading& reading);
   void settle(std::size_t count);
-  [[nodiscard]] static RangeReading better(const RangeReading& forward, const RangeReading& backward,
+  [[nodiscard]] static RangeReading better(const Kept& forward, const RangeReading& backward, const Guess& guess,
                                            double wavelength);
 
   RangingFormat format_;

@@ -90,6 +90,7 @@ class RangeTracker {
   static constexpr int kMoving = 12;
   static constexpr int kFloat = kMoving + 3 * kSources;
   static constexpr int kStates = kFloat + kSources;
+  static constexpr double kErrorSd = 0.20;  // m/s², of e
   using State = Eigen::Matrix<double, kStates, 1>;
   using Covariance = Eigen::Matrix<double, kStates, kStates>;
   struct Heard {
