@@ -2155,6 +2155,26 @@
         <translation>wie gelesen</translation>
     </message>
     <message>
+        <source>%1 m/s, within %2 m/s, from %3 pairs on one segment%4</source>
+        <translation>%1 m/s, auf %2 m/s genau, aus %3 Paaren auf einem Segment%4</translation>
+    </message>
+    <message>
+        <source>; %1 pairs that contradict them are left out</source>
+        <translation>; %1 Paare, die ihnen widersprechen, sind weggelassen</translation>
+    </message>
+    <message>
+        <source>has too few ranges between sources and microphones on one segment</source>
+        <translation>hat zu wenige Abstände zwischen Quellen und Mikrofonen auf einem Segment</translation>
+    </message>
+    <message>
+        <source>speed of sound</source>
+        <translation>Schallgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>take more of the recording, or enter temperature and humidity</source>
+        <translation>mehr von der Aufnahme nehmen oder Temperatur und Feuchte eingeben</translation>
+    </message>
+    <message>
         <source>%1 samples were lost because the disk was too slow</source>
         <translation>%1 Abtastwerte gingen verloren, weil die Platte zu langsam war</translation>
     </message>

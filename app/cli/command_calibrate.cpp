@@ -267,6 +267,7 @@ void add_calibrate(CLI::App& app, Console& console) {
   };
   add("range", "Offset and scale of the sensors, from slow rotation about all axes", calibrate_range, false);
   add("limb", "How the sensors sit on the limbs, from two poses", calibrate_limb, true);
+  add_calibrate_sound(*command, console);
 }
 
 }  // namespace limbwave::cli

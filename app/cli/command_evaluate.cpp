@@ -90,6 +90,13 @@ void evaluate_driver_box(const take::Take& take, const std::string& method, cons
       "words: {} frames, {} lost ({:.1e}), {} bits corrected, {} readings wrong, lock within {:.0f} ms", words.frames,
       words.lost, static_cast<double>(words.lost) / std::max<double>(1.0, static_cast<double>(words.frames)),
       words.bit_errors, words.wrong, 1e3 * words.latest_lock_s));
+  console.print("  board               frames   lost   bits   lock");
+  for (std::size_t b = 0; b < words.boards.size(); ++b) {
+    const decode::InertialCounters& board = words.boards[b];
+    console.print(fmt::format("  {:<18} {:>7} {:>6} {:>6} {:>6}", take.info.rig.gyroscopes[b].name, board.frames,
+                              board.lost, board.bit_errors,
+                              board.lock_s >= 0.0 ? fmt::format("{:.0f} ms", 1e3 * board.lock_s) : "never"));
+  }
   console.print(fmt::format("decoded {:.1f} s in {:.2f} s, {:.1f} times real time", seconds, report.seconds,
                             seconds / report.seconds));
 }
@@ -113,7 +120,7 @@ void evaluate_radio_ranges(const std::string& folder, const std::string* json_fi
     console.print(fmt::format("  accepted     error median {:.0f} mm, sd {:.0f} mm, 95 % {:.0f} mm, largest {:.0f} mm",
                               s.median_mm, s.sd_mm, s.p95_mm, s.max_mm));
     console.print(
-        fmt::format("  error over its standard deviation {:.2f} RMS; of {} ranges off by more than 0.5 m {} accepted",
+        fmt::format("  error over its standard deviation {:.2f} RMS; of {} outliers of more than 0.5 m {} accepted",
                     s.normalised_rms, s.outliers, s.outliers_accepted));
     console.print(fmt::format("  tags placed within {:.0f} mm (median, horizontally)", s.place_median_mm));
   }

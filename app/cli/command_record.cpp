@@ -28,7 +28,7 @@ constexpr double kCardRate = 192000.0;
 
 struct Options {
   std::string take, device = "default", driver_box, rig, subject, type = "int16", errors = "paper";
-  double rate = 48000.0, seconds = 0.0, temperature = 22.0, humidity = 50.0;
+  double rate = 48000.0, seconds = 0.0, temperature = 22.0, humidity = 50.0, height = 0.0;
   std::string json;
 };
 
@@ -142,7 +142,11 @@ std::unique_ptr<acquire::BoxSource> open_box(const Options& options, bool rate_g
 
 void record_box(const Options& options, bool rate_given, bool as_json, Console& console) {
   body::Rig rig = console.check(body::load_rig(options.rig.empty() ? kBoxRig : options.rig));
-  const body::Skeleton skeleton = console.check(body::load_skeleton(rig.skeleton));
+  body::Skeleton skeleton = console.check(body::load_skeleton(rig.skeleton));
+  if (options.height > 0.0 && skeleton.height > 0.0) {
+    rig = body::scaled(std::move(rig), options.height / skeleton.height);
+    skeleton = body::scaled_to_height(skeleton, options.height);
+  }
   const auto box = open_box(options, rate_given, rig, console);
   calibrate::RangingCalibration ranging;
   ranging.method = "nominal";
@@ -203,6 +207,9 @@ void add_record(CLI::App& app, Console& console) {
   command->add_option("--rate", options->rate, "Samples a second; of a sound card as a driver box 192000 unless given")
       ->check(CLI::Range(44100.0, 192000.0))
       ->capture_default_str();
+  command
+      ->add_option("--height", options->height, "Of the wearer of a driver box, metres; 0: as the skeleton's file says")
+      ->check(CLI::Range(0.0, 2.6));
   command->add_option("--temperature", options->temperature, "Of the air, °C: the speed of sound of a driver box")
       ->check(CLI::Range(-30.0, 60.0))
       ->capture_default_str();

@@ -11,6 +11,8 @@ namespace limbwave::cli {
 void add_json_option(CLI::App& command, std::string& file, const std::string& what);
 
 void add_calibrate(CLI::App& app, Console& console);
+/// `limbwave calibrate sound`.
+void add_calibrate_sound(CLI::App& calibrate, Console& console);
 void add_devices(CLI::App& app, Console& console);
 void add_evaluate(CLI::App& app, Console& console);
 void add_export(CLI::App& app, Console& console);

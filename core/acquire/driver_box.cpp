@@ -25,7 +25,7 @@ constexpr auto kReopenPause = milliseconds(100);
 constexpr auto kLateBlock = milliseconds(60);  // how long a missing block may still come
 constexpr auto kAskAgain = milliseconds(500);
 constexpr auto kNudge = milliseconds(1000);  // how often a silent box is told to go on
-constexpr double kAnswerPatience = 3.0;      // seconds
+constexpr double kAnswerPatience = 10.0;     // seconds
 constexpr double kAhead = 10.0;              // seconds by which a block may be ahead of our clock
 
 double seconds_since(Clock::time_point time) {
@@ -57,6 +57,7 @@ struct DriverBox::Impl {
   std::vector<std::byte> buffer = std::vector<std::byte>(65536);
   Clock::time_point last_block, held_since, lost_at, nudged;
   std::uint16_t nudge = 0;  // sequence number of the last *continue*
+  bool idle = false;        // nothing came at the last look
   bool running = false;     // blocks that come belong to this run
   bool stalled = false;
   std::uint64_t reconnects = 0, stalls = 0, impossible = 0;
@@ -77,6 +78,7 @@ struct DriverBox::Impl {
   // Bytes that have come, to the parser; false when the line is gone.
   bool listen() {
     const int got = line ? line->read(buffer) : -1;
+    idle = got == 0;
     if (got > 0) {
       parser.push(std::span(buffer).first(static_cast<std::size_t>(got)));
     }
@@ -279,8 +281,9 @@ struct DriverBox::Impl {
       const auto found = ask(2.0);
       const bool fits = found && found->wires == before.wires && found->rate_hz == before.rate_hz;
       const bool same = fits && found->session == before.session && found->serial == before.serial;
-      const bool goes_on = same && command(PacketKind::kContinue).value_or(false);
-      if (!fits || (!goes_on && !begin_anew(*found))) {
+      // A box that still counts is not made to begin anew: without an answer it is asked again.
+      const auto goes_on = same ? command(PacketKind::kContinue) : std::optional<bool>(false);
+      if (!fits || !goes_on || (!*goes_on && !begin_anew(*found))) {
         line.reset();
         parser.reset();
         continue;
@@ -324,7 +327,8 @@ struct DriverBox::Impl {
       while (auto packet = parser.next()) {
         hear(*packet);
       }
-      if (sequencer->waiting() && Clock::now() - held_since > kLateBlock) {
+      // As long as more is coming, the number of blocks that are held decides: this thread may have been late itself.
+      if (sequencer->waiting() && idle && Clock::now() - held_since > kLateBlock) {
         sequencer->give_up();
       }
       if (!stalled && seconds_since(last_block) > settings.stall_s) {

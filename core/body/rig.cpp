@@ -132,6 +132,19 @@ nlohmann::json rig_to_json(const Rig& rig) {
   return json;
 }
 
+Rig scaled(Rig rig, double factor) {
+  const auto all = [&](auto& things) {
+    for (auto& thing : things) {
+      thing.p_LS *= factor;
+    }
+  };
+  all(rig.accelerometers);
+  all(rig.gyroscopes);
+  all(rig.microphones);
+  all(rig.sources);
+  return rig;
+}
+
 Result<Rig> load_rig(const std::string& name_or_path) {
   const std::string path = shipped_or_path("rigs", name_or_path);
   const Result<std::string> text = read_file(path, std::size_t{16} << 20);

@@ -116,6 +116,9 @@ struct Rig {
 Result<Rig> rig_from_json(const nlohmann::json& json, const std::string& place);
 nlohmann::json rig_to_json(const Rig& rig);
 
+/// Everything that is worn, moved along when a body of another size wears it: positions on segments times `factor`.
+Rig scaled(Rig rig, double factor);
+
 /// A shipped rig by name ("line-in-arm") or a file by path. Also checks it against its skeleton.
 Result<Rig> load_rig(const std::string& name_or_path);
 std::vector<std::string> shipped_rigs();

@@ -30,6 +30,8 @@ struct InertialCounters {
   std::int64_t lost = 0;        ///< Of these, not correctable, or within a gap.
   std::int64_t bit_errors = 0;  ///< Corrected.
   std::int64_t relocks = 0;     ///< Times that lock was lost.
+  /// When the lock was first found, seconds of the stream that were heard until then; negative: never.
+  double lock_s = -1.0;
 };
 
 }  // namespace limbwave::decode

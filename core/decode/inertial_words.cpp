@@ -27,6 +27,7 @@ constexpr int kMostErrors = 10;        // of two frames, for a lock
 constexpr int kLostFrames = 12;        // in a row, then the lock is
 constexpr double kPhaseGain = 0.03;    // of the timing loop, per transition
 constexpr double kRateGain = 2.5e-4;
+constexpr double kAhead = 6.0;  // values that must be there beyond a bit's middle
 // Slope of a bit's edge after the low pass, amplitudes per bit.
 constexpr double kEdgeSlope = 3.0;
 
@@ -253,6 +254,9 @@ struct InertialWordDecoder::Impl {
           locked = true;
           pattern = m;
           count_missed(bit_middles.front());
+          if (status.counters.lock_s < 0.0) {
+            status.counters.lock_s = (next_bit + kAhead) * step / rate.hz;
+          }
         }
       }
       if (!locked) {

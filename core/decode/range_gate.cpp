@@ -21,7 +21,7 @@ constexpr int kFewest = 4;           // sources in them
 constexpr double kForget = 1.0;      // seconds without an accepted range
 constexpr double kReminder = 0.5;    // seconds
 constexpr double kStartSpeed = 1.0;  // m/s
-constexpr double kMemory = 0.02;     // of the noise's estimate, per range
+constexpr double kMemory = 0.004;    // of the noise's estimate, per range: longer than bursts of wrong ones
 constexpr int kRefusals = 6;         // in a row for every source, then the place is wrong
 
 }  // namespace
@@ -186,7 +186,7 @@ RangeReading RangeGate::push(int source, Seconds time, double range) {
   const double surprise = parameters_.surprise;
   reading.factors.continuity = z <= surprise ? 1.0 : std::pow(surprise / z, 4);
   // Innovation-based estimate of the noise; far ones count as just surprising, so that none of them rules.
-  const double clipped = std::min(z, 1.5 * surprise);
+  const double clipped = std::min(z, surprise);
   const double least = parameters_.least_noise_sd * parameters_.least_noise_sd;
   noise += kMemory * (std::max(least, clipped * clipped * (model + noise) - model) - noise);
   if (reading.confidence() < parameters_.least_confidence) {

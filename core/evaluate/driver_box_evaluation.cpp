@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -72,8 +73,7 @@ DriverBoxComparison::DriverBoxComparison(const DriverBoxTruth& truth, double rat
       scale_(truth.speed_of_sound > 0.0 ? truth.speed_of_sound / speed_of_sound : 1.0),
       gyroscope_range_(gyroscope_range_rad_s),
       accelerometer_range_(accelerometer_range_m_s2),
-      next_frame_(truth.words.size()),
-      seen_(truth.words.size()) {}
+      next_frame_(truth.words.size()) {}
 
 void DriverBoxComparison::add(const decode::RangeReading& reading) {
   const auto pulse =
@@ -119,10 +119,6 @@ void DriverBoxComparison::add(const decode::InertialReading& reading) {
   while (i < frames.size() && frames[i].start_s < reading.time.value - half) {
     ++i;
   }
-  if (!seen_[b]) {
-    seen_[b] = true;
-    words_.latest_lock_s = std::max(words_.latest_lock_s, reading.time.value);
-  }
   if (!reading.valid) {
     return;
   }
@@ -137,10 +133,15 @@ void DriverBoxComparison::add(const decode::InertialReading& reading) {
 
 void DriverBoxComparison::set_counters(const std::vector<decode::InertialCounters>& counters) {
   words_.frames = words_.lost = words_.bit_errors = 0;
+  words_.latest_lock_s = 0.0;
+  words_.boards = counters;
   for (const decode::InertialCounters& board : counters) {
     words_.frames += board.frames;
     words_.lost += board.lost;
     words_.bit_errors += board.bit_errors;
+    const bool locked = board.lock_s >= 0.0;
+    words_.latest_lock_s =
+        std::max(words_.latest_lock_s, locked ? board.lock_s : std::numeric_limits<double>::infinity());
   }
 }
 
@@ -206,11 +207,20 @@ nlohmann::json ranges_to_json(const RangeStatistics& r) {
 }
 
 nlohmann::json words_to_json(const WordStatistics& w) {
+  nlohmann::json boards = nlohmann::json::array();
+  for (const decode::InertialCounters& board : w.boards) {
+    boards.push_back({{"frames", board.frames},
+                      {"lost", board.lost},
+                      {"bit_errors", board.bit_errors},
+                      {"relocks", board.relocks},
+                      {"lock_s", board.lock_s >= 0.0 ? nlohmann::json(board.lock_s) : nlohmann::json()}});
+  }
   return {{"frames", w.frames},
           {"lost", w.lost},
           {"bit_errors", w.bit_errors},
           {"wrong", w.wrong},
-          {"latest_lock_s", w.latest_lock_s}};
+          {"latest_lock_s", std::isfinite(w.latest_lock_s) ? nlohmann::json(w.latest_lock_s) : nlohmann::json()},
+          {"boards", std::move(boards)}};
 }
 
 }  // namespace limbwave::evaluate

@@ -54,7 +54,9 @@ struct WordStatistics {
   std::int64_t lost = 0;        ///< Of these.
   std::int64_t bit_errors = 0;  ///< Corrected.
   std::int64_t wrong = 0;       ///< Valid readings that differ from what was sent.
-  double latest_lock_s = 0;     ///< Longest time until a board's first decoded frame began.
+  double latest_lock_s =
+      0;  ///< Longest time until a board's words were locked on; of boards that never were, infinite.
+  std::vector<decode::InertialCounters> boards;  ///< Counts of every board.
 };
 
 /// Takes readings as they come.
@@ -79,7 +81,6 @@ class DriverBoxComparison {
   double nis_ = 0.0;
   std::int64_t compared_ = 0, beyond_ = 0;
   std::vector<std::size_t> next_frame_;
-  std::vector<bool> seen_;
 };
 
 nlohmann::json ranges_to_json(const RangeStatistics& ranges);

@@ -256,6 +256,11 @@ RadioStatistics evaluate_radio(const RadioRecording& recording, const decode::Ra
     gates.emplace_back(recording.anchors_W, static_cast<int>(tag), parameters);
   }
   RadioStatistics statistics;
+  struct Raw {
+    double error;
+    bool accepted;
+  };
+  std::vector<std::vector<Raw>> by_pair(recording.anchors_W.size() * gates.size());
   std::vector<double> raw;
   std::vector<double> accepted;
   std::vector<double> places;
@@ -274,13 +279,12 @@ RadioStatistics evaluate_radio(const RadioRecording& recording, const decode::Ra
       }
       const Vector3d p_W = pose->p_WB + pose->R_WB * recording.tags_B[tag];
       const double truth = (p_W - recording.anchors_W[anchor]).norm();
-      const bool outlier = std::abs(row.ranges[i] - truth) > kOutlier;
+      const bool believed = reading.verdict == decode::RangeVerdict::kAccepted;
       raw.push_back(row.ranges[i] - truth);
-      statistics.outliers += outlier ? 1 : 0;
-      if (reading.verdict != decode::RangeVerdict::kAccepted) {
+      by_pair[i].push_back({raw.back(), believed});
+      if (!believed) {
         continue;
       }
-      statistics.outliers_accepted += outlier ? 1 : 0;
       const double error = reading.range - truth;
       accepted.push_back(error);
       normalised += error * error / reading.variance;
@@ -290,6 +294,20 @@ RadioStatistics evaluate_radio(const RadioRecording& recording, const decode::Ra
         const Vector3d p_W = pose->p_WB + pose->R_WB * recording.tags_B[tag];
         places.push_back((gates[tag].place() - p_W).head<2>().norm());
       }
+    }
+  }
+  for (std::vector<Raw>& pair : by_pair) {
+    if (pair.empty()) {
+      continue;
+    }
+    std::vector<Raw> sorted = pair;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end(),
+                     [](const Raw& a, const Raw& b) { return a.error < b.error; });
+    for (const Raw& range : pair) {
+      const bool outlier = std::abs(range.error - middle->error) > kOutlier;
+      statistics.outliers += outlier ? 1 : 0;
+      statistics.outliers_accepted += outlier && range.accepted ? 1 : 0;
     }
   }
   const Errors of_raw(raw);

@@ -43,7 +43,8 @@ struct RadioStatistics {
   double median_mm = 0, mean_mm = 0, sd_mm = 0, p95_mm = 0, max_mm = 0;     ///< Of accepted ranges, likewise.
   /// RMS of accepted errors over the standard deviation that the gate gave each; 1 where its variances are true.
   double normalised_rms = 0;
-  /// Of ranges that are off by more than half a metre: how many there are, how many of these are accepted.
+  /// Of ranges that are off by more than half a metre from what their pair usually is off by: how many there are, how
+  /// many of these are accepted.
   std::int64_t outliers = 0, outliers_accepted = 0;
   double place_median_mm = 0;  ///< Of the tags, horizontally.
 };

@@ -93,6 +93,34 @@ TEST(DriverBoxRig, CapsulesScaleWithTheSubject) {
   EXPECT_NEAR(small.segments[0].capsules[0].to_L.y(), 0.5 * body->segments[0].capsules[0].to_L.y(), 1e-12);
 }
 
+// What is worn stays where it is on the body: twice the size, twice the distances, the same directions.
+TEST(DriverBoxRig, ScalesWithTheSubject) {
+  const Result<Rig> rig = load_rig("driver-box-body");
+  ASSERT_TRUE(rig.ok());
+  const Result<Skeleton> body = load_skeleton(rig->skeleton);
+  ASSERT_TRUE(body.ok());
+  const Skeleton tall = scaled_to_height(*body, 2.0 * body->height);
+  const Rig worn = scaled(*rig, 2.0);
+  const std::vector<Quaterniond> rest(body->segments.size(), Quaterniond::Identity());
+  const auto small_poses = poses_from_joints(*body, rest, body->segments[0].p_PL);
+  const auto tall_poses = poses_from_joints(tall, rest, tall.segments[0].p_PL);
+  const auto place = [&](const auto& poses, const auto& thing) {
+    const SegmentPose& pose = poses[static_cast<std::size_t>(body->find(thing.segment))];
+    return Vector3d(pose.p_WL + pose.R_WL * thing.p_LS);
+  };
+  for (std::size_t s = 0; s < rig->sources.size(); ++s) {
+    for (std::size_t m = 0; m < rig->microphones.size(); ++m) {
+      const Vector3d before = place(small_poses, rig->microphones[m]) - place(small_poses, rig->sources[s]);
+      const Vector3d after = place(tall_poses, worn.microphones[m]) - place(tall_poses, worn.sources[s]);
+      EXPECT_LT((after - 2.0 * before).norm(), 1e-12) << rig->sources[s].name << " " << rig->microphones[m].name;
+    }
+  }
+  for (std::size_t b = 0; b < rig->gyroscopes.size(); ++b) {
+    EXPECT_EQ(worn.gyroscopes[b].p_LS, 2.0 * rig->gyroscopes[b].p_LS);
+    EXPECT_EQ(worn.accelerometers[b].p_LS, 2.0 * rig->accelerometers[b].p_LS);
+  }
+}
+
 TEST(DriverBoxRig, WrittenAndReadAgainIsTheSame) {
   const json once = shipped();
   const Result<Rig> again = rig_from_json(once, "again");

@@ -99,6 +99,32 @@ TEST(InertialWords, PerfectLineIsExactAtAnyClock) {
   }
 }
 
+// Heard a millisecond at a time, at clocks all over the tolerance and started anywhere in a frame, with one bit in a
+// hundred wrong.
+TEST(InertialWords, LocksWithinFiftyMilliseconds) {
+  double longest = 0.0;
+  int late = 0;
+  int lines = 0;
+  for (int ppm = -200; ppm <= 200; ppm += 25) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed, ++lines) {
+      const Line line = make_line(0.2, {ppm * 1e-6, 0.0, seed % 2 == 0 ? 0.01 : 0.0}, 100 * seed + 7);
+      InertialWordDecoder decoder({}, SampleRate{kRate}, 0);
+      double locked = -1.0;
+      for (std::size_t i = 0; i + 140 <= line.samples.size() && locked < 0.0; i += 140) {
+        decoder.push(line.samples.data() + i, 140, 1);
+        locked = decoder.status().locked ? static_cast<double>(i + 140) / kRate : -1.0;
+      }
+      ASSERT_GT(locked, 0.0) << ppm << " ppm, seed " << seed;
+      // What the counters say is what was heard, to a step of a millisecond and the filter's delay.
+      EXPECT_NEAR(decoder.status().counters.lock_s, locked, 2e-3);
+      longest = std::max(longest, locked);
+      late += locked > 0.050 ? 1 : 0;
+    }
+  }
+  std::printf("lock within %.1f ms on %d lines\n", 1e3 * longest, lines);
+  EXPECT_EQ(late, 0);
+}
+
 TEST(InertialWords, OnePercentOfWrongBitsLosesFewFrames) {
   std::int64_t frames = 0;
   std::int64_t lost = 0;
@@ -115,8 +141,10 @@ TEST(InertialWords, OnePercentOfWrongBitsLosesFewFrames) {
     EXPECT_GT(status.counters.bit_errors, 0);
   }
   EXPECT_GT(frames, 100000);
-  // Expected: 4 words · P(4 or more of 24 bits) = 3.6e-4; four standard deviations of 100 000 frames are 2.4e-4.
-  EXPECT_LT(static_cast<double>(lost), 6.2e-4 * static_cast<double>(frames));
+  std::printf("%lld of %lld frames lost, %.2e\n", static_cast<long long>(lost), static_cast<long long>(frames),
+              static_cast<double>(lost) / static_cast<double>(frames));
+  // Expected: 4 words · P(4 or more of 24 bits) = 3.6e-4, with a standard deviation of 0.6e-4.
+  EXPECT_LE(static_cast<double>(lost), 5e-4 * static_cast<double>(frames));
   EXPECT_GT(static_cast<double>(lost), 1.5e-4 * static_cast<double>(frames));
   EXPECT_LE(false_readings, 1);
 }

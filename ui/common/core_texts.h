@@ -313,6 +313,11 @@ inline constexpr const char* kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "check the rig's sensitivity and zero, the volume and the balance"),
     QT_TRANSLATE_NOOP("Core", "%1: %2 mg left over (%3; extremes %4 mg, ellipsoid %5 mg), %6 % of all directions covered"),
     QT_TRANSLATE_NOOP("Core", "; turn it more slowly and without jerks, and hold it at the box, not at the cable"),
+    QT_TRANSLATE_NOOP("Core", "%1 m/s, within %2 m/s, from %3 pairs on one segment%4"),
+    QT_TRANSLATE_NOOP("Core", "; %1 pairs that contradict them are left out"),
+    QT_TRANSLATE_NOOP("Core", "has too few ranges between sources and microphones on one segment"),
+    QT_TRANSLATE_NOOP("Core", "speed of sound"),
+    QT_TRANSLATE_NOOP("Core", "take more of the recording, or enter temperature and humidity"),
     QT_TRANSLATE_NOOP("Core", "the corner of %1, %2 and %3 up"),
     QT_TRANSLATE_NOOP("Core", "between %1 and %2 up"),
     // core/estimate
