@@ -49,7 +49,7 @@ struct RangingParameters {
   double finest = 0.55e-3;        ///< A carrier whose phase is known worse than this is none, metres.
   double placement_sd = 6e-3;     ///< How far sources and boards sit from where the rig says, metres.
   double jerk = 40.0;             ///< White jerk of a limb whose words are not heard, m/s³ √s.
-  double failure = 8e-4;          ///< Probability of another whole number of cycles up to which one is accepted.
+  double failure = 5e-4;          ///< Probability of another whole number of cycles up to which one is accepted.
   double caution = 1.3;           ///< Of the envelope's variance: echoes that overlap, shapes that are not quite so.
   double stray = 0.001;           ///< Probability that an expectation is far worse than it thinks,
   double stray_m = 4e-3;          ///< and by how much then, metres.

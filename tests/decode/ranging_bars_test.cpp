@@ -55,7 +55,7 @@ evaluate::RangeStatistics measured(const Case& c, decode::RangingMethod method =
 
 // Limbs that move in front of the body.
 TEST(RangingBars, CarrierPhase) {
-  for (const Case& c : {Case{"reach", "calibrated", 31}, Case{"wave", "calibrated", 32}, Case{"squat", "paper", 33}}) {
+  for (const Case& c : {Case{"reach", "calibrated", 31}, Case{"wave", "calibrated", 32}}) {
     const evaluate::RangeStatistics r = measured(c);
     EXPECT_GE(static_cast<double>(r.clear_accepted), 0.85 * static_cast<double>(r.clear)) << c.motion;
     EXPECT_LE(r.median_mm, 0.3) << c.motion;
@@ -71,15 +71,19 @@ TEST(RangingBars, CarrierPhase) {
   }
 }
 
-// Feet and hands at 1 m are heard at 12 to 18 dB now and then: fewer are resolved, but what is told is right.
-TEST(RangingBars, CarrierPhaseOfAWalk) {
-  const evaluate::RangeStatistics r = measured({"walk", "paper", 34});
-  EXPECT_GE(static_cast<double>(r.clear_accepted), 0.55 * static_cast<double>(r.clear));
-  EXPECT_LE(r.median_mm, 0.3);
-  EXPECT_LE(r.p95_mm, 1.0);
-  EXPECT_LE(r.wrong, 1e-3);
-  EXPECT_LE(r.missed_occlusions, 0.02);
-  EXPECT_LE(r.false_occlusions, 0.02);
+// Chips, skin and bones as the paper met them, and feet and hands that are heard at 12 to 18 dB now and then: fewer
+// pairs are resolved than the 85 % of calibrated takes, but what is told is right.
+TEST(RangingBars, CarrierPhaseOfTheWholeBody) {
+  for (const Case& c : {Case{"squat", "paper", 33}, Case{"walk", "paper", 34}}) {
+    const evaluate::RangeStatistics r = measured(c);
+    EXPECT_GE(static_cast<double>(r.clear_accepted), 0.6 * static_cast<double>(r.clear)) << c.motion;
+    EXPECT_LE(r.median_mm, 0.3) << c.motion;
+    EXPECT_LE(r.p95_mm, 1.0) << c.motion;
+    EXPECT_LE(r.slips, 2e-3) << c.motion;
+    EXPECT_LE(r.wrong, 1e-3) << c.motion;
+    EXPECT_LE(r.missed_occlusions, 0.02) << c.motion;
+    EXPECT_LE(r.false_occlusions, 0.02) << c.motion;
+  }
 }
 
 }  // namespace
