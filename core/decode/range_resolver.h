@@ -79,7 +79,7 @@ class RangeResolver {
               Followed& followed) const;
   void watch(const RangeReading& reading);
   void settle(std::size_t count);
-  [[nodiscard]] static RangeReading better(const Kept& forward, const RangeReading& backward, const Guess& guess,
+  [[nodiscard]] static RangeReading better(const Kept& kept, const RangeReading& backward, const Guess& guess,
                                            double wavelength);
 
   RangingFormat format_;
