@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,8 +27,8 @@ void evaluate_driver_box(const take::Take& take, const std::string& method, cons
   const std::filesystem::path truth_file = take.folder / "truth.json";
   const evaluate::DriverBoxTruth truth = console.check(evaluate::load_driver_box_truth(truth_file));
   const body::DriverBoxSignal& box = take.info.rig.driver_box.value();
-  evaluate::DriverBoxComparison comparison(truth, take.info.format.rate.hz,
-                                           solve::ranging_calibration(take.info).speed_of_sound / box.pulse_hz,
+  evaluate::DriverBoxComparison comparison(truth, take.info.format.rate.hz, box.pulse_hz,
+                                           solve::ranging_calibration(take.info).speed_of_sound,
                                            box.gyroscope_range_rad_s, box.accelerometer_range_g * kStandardGravity);
   decode::DriverBoxParameters parameters;
   parameters.ranging.method =
@@ -77,6 +78,12 @@ void evaluate_driver_box(const take::Take& take, const std::string& method, cons
   console.print(fmt::format("  error median {:.3f} mm, mean {:.3f} mm, sd {:.3f} mm, 95 % {:.3f} mm, largest {:.1f} mm",
                             ranges.median_mm, ranges.mean_mm, ranges.sd_mm, ranges.p95_mm, ranges.max_mm));
   console.print(fmt::format("  whole-cycle slips {:.2e}, off by more than 20 mm {:.2e}", ranges.slips, ranges.wrong));
+  console.print(fmt::format("  squared errors over the variances told {:.2f}, beyond three deviations {:.2e}",
+                            ranges.nis, ranges.beyond_3_sd));
+  if (std::abs(ranges.speed_error) > 1e-6) {
+    console.print(fmt::format("  speed of sound as entered {:+.2f} % off: ranges are too, which the errors leave out",
+                              100.0 * ranges.speed_error));
+  }
   console.print(fmt::format("  occluded pairs missed {:.2f} %, clear pairs flagged {:.2f} %",
                             100.0 * ranges.missed_occlusions, 100.0 * ranges.false_occlusions));
   console.print(fmt::format(

@@ -3,18 +3,77 @@
 #include <algorithm>
 #include <functional>
 #include <future>
+#include <limits>
+#include <optional>
 
 #include "decode/pulse_shape.h"
 
 namespace limbwave::decode {
 
+namespace {
+
+constexpr double kWordsLate_s = 0.031;  // a word joined to the one before is there by then
+constexpr std::size_t kStretch = 4096;  // samples at a time
+constexpr double kKept_s = 0.1;         // of words
+
+}  // namespace
+
 struct DriverBoxDecoder::Impl {
+  explicit Impl(const DriverBoxFormat& box_format) : format(box_format) {}
+  DriverBoxFormat format;
   DriverBoxParameters parameters;
   std::vector<RangingDecoder> ranging;
   std::vector<InertialWordDecoder> words;
+  std::vector<InertialTrace> traces;
+  std::optional<SourceMotion> sources;
   std::vector<std::vector<RangeReading>> waiting;  // by wire, until every wire has the pulse
+  std::vector<InertialReading> inertial;
+  bool ended = false;
 
   [[nodiscard]] std::size_t wires() const { return waiting.size(); }
+
+  // Judges every slot whose words are all there. What is known of a slot does not depend on when that is.
+  void settle() {
+    for (std::size_t w = 0; w < words.size(); ++w) {
+      for (const InertialReading& reading : words[w].take_readings()) {
+        traces[w].add(reading);
+        inertial.push_back(reading);
+      }
+    }
+    if (ranging.empty()) {
+      return;
+    }
+    double passed = std::numeric_limits<double>::infinity();
+    for (const InertialWordDecoder& decoder : words) {
+      passed = parameters.inertial && !ended ? std::min(passed, decoder.passed_s()) : passed;
+    }
+    std::int64_t heard = INT64_MAX;
+    for (const RangingDecoder& decoder : ranging) {
+      heard = std::min(heard, decoder.heard_slots());
+    }
+    const RangingFormat& common = format.wires.front();
+    for (std::int64_t slot = sources->end(); slot < heard; ++slot) {
+      const double time_s = pulse_middle_s(common, format.rate, *ranging.front().shape(), slot);
+      if (time_s + kWordsLate_s > passed) {
+        break;
+      }
+      sources->step(static_cast<int>(slot % static_cast<std::int64_t>(common.sources.size())), time_s, traces);
+    }
+    each([&](std::size_t w) {
+      ranging[w].settle(sources->end(), *sources, static_cast<int>(w));
+      if (ended) {
+        ranging[w].settle_end();
+      }
+    });
+    const std::int64_t next = sources->end();
+    sources->forget(next);
+    if (!common.sources.empty()) {
+      const double before = pulse_middle_s(common, format.rate, *ranging.front().shape(), next) - kKept_s;
+      for (InertialTrace& trace : traces) {
+        trace.forget(before);
+      }
+    }
+  }
 
   // `work` for every wire, on several threads.
   void each(const std::function<void(std::size_t)>& work) {
@@ -36,16 +95,23 @@ struct DriverBoxDecoder::Impl {
 };
 
 DriverBoxDecoder::DriverBoxDecoder(const DriverBoxFormat& format, const DriverBoxParameters& parameters)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->parameters = parameters;
-  impl_->waiting.resize(format.wires.size());
+    : impl_(std::make_unique<Impl>(format)) {
+  Impl& d = *impl_;
+  d.parameters = parameters;
+  d.waiting.resize(format.wires.size());
+  d.traces.resize(format.wires.size());
+  const BoxGeometry geometry = parameters.inertial ? format.geometry : BoxGeometry{};
+  if (!format.wires.empty()) {
+    d.sources.emplace(format.wires.front(), geometry);
+  }
   std::shared_ptr<const PulseShape> shape;
   for (int w = 0; w < static_cast<int>(format.wires.size()); ++w) {
     if (parameters.ranges) {
-      impl_->ranging.emplace_back(format.wires[static_cast<std::size_t>(w)], format.rate, w, parameters.ranging, shape);
-      shape = impl_->ranging.back().shape();
+      d.ranging.emplace_back(format.wires[static_cast<std::size_t>(w)], format.rate, w, parameters.ranging, shape,
+                             geometry);
+      shape = d.ranging.back().shape();
     }
-    impl_->words.emplace_back(format.words, format.rate, w);
+    d.words.emplace_back(format.words, format.rate, w);
   }
 }
 DriverBoxDecoder::~DriverBoxDecoder() = default;
@@ -55,31 +121,45 @@ void DriverBoxDecoder::push(std::span<const float> interleaved) {
   const std::size_t wires = d.wires();
   const std::size_t frames = interleaved.size() / wires;
   d.each([&](std::size_t w) {
-    if (d.parameters.ranges) {
-      d.ranging[w].push(interleaved.data() + w, frames, wires);
-    }
-    if (d.parameters.inertial) {
-      d.words[w].push(interleaved.data() + w, frames, wires);
+    // Out of the frames once for both decoders.
+    std::vector<float> line(std::min(frames, kStretch));
+    for (std::size_t at = 0; at < frames; at += kStretch) {
+      const std::size_t count = std::min(kStretch, frames - at);
+      const float* from = interleaved.data() + at * wires + w;
+      for (std::size_t i = 0; i < count; ++i) {
+        line[i] = from[i * wires];
+      }
+      if (d.parameters.ranges) {
+        d.ranging[w].listen(line.data(), count, 1);
+      }
+      if (d.parameters.inertial) {
+        d.words[w].push(line.data(), count, 1);
+      }
     }
   });
+  d.settle();
 }
 
 void DriverBoxDecoder::gap(SampleCount count) {
   Impl& d = *impl_;
   d.each([&](std::size_t w) {
     if (d.parameters.ranges) {
-      d.ranging[w].gap(count);
+      d.ranging[w].listen_gap(count);
     }
     if (d.parameters.inertial) {
       d.words[w].gap(count);
     }
   });
+  d.settle();
 }
 
 void DriverBoxDecoder::finish() {
-  for (RangingDecoder& decoder : impl_->ranging) {
-    decoder.finish();
+  Impl& d = *impl_;
+  for (RangingDecoder& decoder : d.ranging) {
+    decoder.listen_end();
   }
+  d.ended = true;
+  d.settle();
 }
 
 void DriverBoxDecoder::set_prediction(int receiver, RangingDecoder::Predict predict) {
@@ -114,10 +194,7 @@ std::vector<RangeReading> DriverBoxDecoder::take_ranges() {
 
 std::vector<InertialReading> DriverBoxDecoder::take_inertial() {
   std::vector<InertialReading> readings;
-  for (InertialWordDecoder& decoder : impl_->words) {
-    const std::vector<InertialReading> fresh = decoder.take_readings();
-    readings.insert(readings.end(), fresh.begin(), fresh.end());
-  }
+  std::swap(readings, impl_->inertial);
   std::stable_sort(readings.begin(), readings.end(),
                    [](const InertialReading& a, const InertialReading& b) { return a.time < b.time; });
   return readings;

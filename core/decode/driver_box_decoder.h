@@ -1,5 +1,6 @@
 /// All wires of a driver box: ranges and inertial readings, in order. A streaming stage; wires are decoded on several
-/// threads, which changes nothing about the results.
+/// threads, which changes nothing about the results. Ranges are aided by the words: those of the own board tell how the
+/// microphone moved, those of the boards beside the sources how these did.
 #pragma once
 
 #include <memory>
@@ -17,6 +18,7 @@ namespace limbwave::decode {
 struct DriverBoxFormat {
   SampleRate rate{140000.0};
   std::vector<RangingFormat> wires;  ///< One per wire.
+  BoxGeometry geometry;              ///< What ranging makes of the words.
   WordFormat words;
 };
 

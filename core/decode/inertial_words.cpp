@@ -8,7 +8,7 @@
 
 #include "acquire/inertial_word_format.h"
 #include "base/units.h"
-#include "decode/golay.h"
+#include "decode/inertial_frame.h"
 #include "signal/fir_design.h"
 
 namespace limbwave::decode {
@@ -30,41 +30,6 @@ constexpr double kRateGain = 2.5e-4;
 constexpr double kAhead = 6.0;  // values that must be there beyond a bit's middle
 // Slope of a bit's edge after the low pass, amplitudes per bit.
 constexpr double kEdgeSlope = 3.0;
-
-using Bits = std::array<std::uint8_t, kWordBits>;
-
-struct DecodedFrame {
-  std::array<std::uint8_t, 48> payload{};
-  int errors = 0;  // corrected
-  bool good = true;
-};
-
-DecodedFrame decode_frame(const std::uint8_t* bits, int pattern) {
-  DecodedFrame frame;
-  std::array<std::uint32_t, acquire::kGolayWords> words{};
-  const std::uint8_t* scrambling = acquire::kScrambling.data() + static_cast<std::ptrdiff_t>(pattern) * kWordBits;
-  for (std::size_t i = 0; i < kWordBits; ++i) {
-    auto& word = words[i % acquire::kGolayWords];
-    word = (word << 1U) | static_cast<std::uint32_t>(bits[i] ^ scrambling[i]);
-  }
-  for (std::size_t w = 0; w < words.size(); ++w) {
-    const GolayWord word = golay_decode(words[w]);
-    frame.good = frame.good && word.errors <= 3;
-    frame.errors += word.errors;
-    for (std::size_t bit = 0; bit < 12; ++bit) {
-      frame.payload[12 * w + bit] = static_cast<std::uint8_t>((word.data >> (11U - bit)) & 1U);
-    }
-  }
-  return frame;
-}
-
-int take_bits(const std::array<std::uint8_t, 48>& payload, std::size_t first, std::size_t count) {
-  int value = payload[first] != 0 ? -1 : 0;  // two's complement
-  for (std::size_t i = first; i < first + count; ++i) {
-    value = value * 2 + payload[i];
-  }
-  return value;
-}
 
 }  // namespace
 
@@ -123,7 +88,7 @@ struct InertialWordDecoder::Impl {
   [[nodiscard]] double seconds_of(double value_number) const { return (value_number * step - delay) / rate.hz; }
 
   [[nodiscard]] double value_at(double place) const {
-    const auto whole = static_cast<std::int64_t>(std::floor(place));
+    const auto whole = static_cast<std::int64_t>(place);  // never before the first value
     const double u = place - static_cast<double>(whole);
     const std::int64_t at = whole - values_start;
     if (at < 1 || at + 2 >= static_cast<std::int64_t>(values.size())) {
@@ -135,9 +100,10 @@ struct InertialWordDecoder::Impl {
     const double b = v[0];
     const double c = v[1];
     const double d = v[2];
-    const double c1 = c - a / 3.0 - 0.5 * b - d / 6.0;
+    constexpr double kSixth = 1.0 / 6.0;
+    const double c1 = c - 2.0 * kSixth * a - 0.5 * b - kSixth * d;
     const double c2 = 0.5 * (a + c) - b;
-    const double c3 = (d - a) / 6.0 + 0.5 * (b - c);
+    const double c3 = kSixth * (d - a) + 0.5 * (b - c);
     return b + u * (c1 + u * (c2 + u * c3));
   }
 
@@ -417,6 +383,11 @@ std::vector<InertialReading> InertialWordDecoder::take_readings() {
   std::vector<InertialReading> readings;
   std::swap(readings, impl_->readings);
   return readings;
+}
+
+double InertialWordDecoder::passed_s() const {
+  const Impl& d = *impl_;
+  return d.seconds_of((d.bit_middles.empty() ? d.next_bit : d.bit_middles.front()) - d.period);
 }
 
 const WordStatus& InertialWordDecoder::status() const {

@@ -46,6 +46,8 @@ class InertialWordDecoder {
   /// Readings since the last call, in order of time; lost frames are among them, not valid.
   std::vector<InertialReading> take_readings();
   [[nodiscard]] const WordStatus& status() const;
+  /// All readings of before this have been given, or never will be; seconds.
+  [[nodiscard]] double passed_s() const;
 
  private:
   struct Impl;

@@ -1,67 +1,135 @@
-/// Where one microphone is among the sources, from all ranges to it: what resolves whole cycles of the carrier, and
-/// tells a first arrival from an echo.
+/// Where one microphone is among the sources, from all ranges to it and what its own board feels: what resolves whole
+/// cycles of the carrier, and tells a first arrival from an echo.
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
 #include <optional>
 #include <vector>
 
+#include "decode/inertial_trace.h"
 #include "decode/ranging_format.h"
+#include "decode/source_motion.h"
 
 namespace limbwave::decode {
 
-/// State: position, velocity and acceleration of the microphone in the frame of the segment that most sources sit on;
-/// and for every source how far its range is off that geometry (placement; movement of its own segment), with a rate.
-/// An extended Kalman filter, one range at a time.
+/// One slot as a microphone's tracker needs it.
+struct TrackerStep {
+  SourceStep source;
+  BoardStep board;  ///< The microphone's own.
+};
+
+/// Error-state Kalman filter of inertial navigation relative to the sources, aided by ranges. State, in the frame C of
+/// the segment that most sources sit on (origin at its board, axes turning with it):
+///   p  microphone, metres
+///   v  its velocity, less that of the frame's origin, not less what the frame's turning adds, m/s
+///   e  what is wrong with the acceleration that the two boards tell, m/s²; without words the acceleration itself
+///   θ  what is wrong with the board's orientation R_CS, radians
+///   s  by source, how far it sits from where SourceMotion takes it for, metres
+///   n  by source, by how much whole cycles are wrong that are counted on, but whose number is not known yet, metres
+/// A board and its microphone are one piece, so that skin which slides under them is felt and does no harm.
 class RangeTracker {
  public:
-  RangeTracker(const RangingFormat& format, const RangingParameters& parameters);
+  /// `R_CS_rest`: the board's axes to C at rest.
+  RangeTracker(const RangingFormat& format, const RangingParameters& parameters,
+               const Eigen::Quaterniond& R_CS_rest = Eigen::Quaterniond::Identity(),
+               const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
-  /// Moves the state to a time, seconds; times do not decrease.
-  void advance(double time_s);
+  /// Moves the state to the next slot's time.
+  void advance(const TrackerStep& step);
+  /// Moves the state from the time of `later` back to the slot before it.
+  void retreat(const TrackerStep& later);
+  /// What the board does at the slot that the state has been moved back to.
+  void sit(const BoardStep& board) { board_ = board; }
+  /// For a run backward: as uncertain as somebody who knows where this ended, not how it came there.
+  void turn_round();
 
   struct Expectation {
     double range = 0.0;     ///< Metres.
     double variance = 0.0;  ///< m².
     double angle = 0.0;     ///< Off the source's normal, radians.
     double angle_sd = 0.0;
+    /// Of range, its rate, and its acceleration (m, m/s, m/s²).
+    Eigen::Matrix3d P = Eigen::Matrix3d::Zero();
   };
-  /// Empty before the first ranges.
-  [[nodiscard]] std::optional<Expectation> expect(int source) const;
+  /// Empty before the first ranges. `step`: the slot that the state is at.
+  [[nodiscard]] std::optional<Expectation> expect(int source, const SourceStep& step) const;
 
-  /// Takes a range with its variance.
-  void update(int source, double range, double variance);
+  /// Takes a range with its variance; `floating`: its whole cycles are wrong by n.
+  void update(int source, const SourceStep& step, double range, double variance, bool floating = false);
+  /// Begins to count cycles anew: nothing is known of n.
+  void set_floating(int source);
+  /// n has become known; from then on it is none.
+  void fix(int source, double n);
+  /// What updates have changed since the last call, as a source at `place` sees it: range, rate, acceleration.
+  struct Correction {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero(), a = Eigen::Vector3d::Zero();
+    std::array<Eigen::Vector3d, 8> sources;
+  };
+  [[nodiscard]] bool corrected() const { return corrected_; }
+  [[nodiscard]] Eigen::Vector3d correction_of(int source, const Eigen::Vector3d& place) const;
+  void forget_corrections();
+  /// For what is dead-reckoned along with this: the integral of jerk² by time until now, and what errors of the
+  /// acceleration remember.
+  [[nodiscard]] double jerk_sum() const { return jerk_sum_; }
+  /// The same of how far a source wanders, m².
+  [[nodiscard]] double wander_sum(int source) const { return wander_sums_[static_cast<std::size_t>(source)]; }
+  static double memory_s();
+  static double velocity_walk();
+
   /// A range that contradicts everything: after several, the state is found anew.
   void contradict();
-  /// The envelope of accepted ranges is off on average: their whole cycles were wrong.
-  void doubt(int source);
-
+  /// Accepted whole cycles were wrong.
+  void doubt();
   /// Collects ranges until a first state can be found from them.
-  void collect(int source, double time_s, double range, double variance);
+  void collect(int source, const SourceStep& step, double range, double variance);
 
  private:
   static constexpr int kSources = 8;  // at most; further ones are not tracked
-  static constexpr int kStates = 9 + 2 * kSources;
+  static constexpr int kMoving = 12;
+  static constexpr int kFloat = kMoving + 3 * kSources;
+  static constexpr int kStates = kFloat + kSources;
+  static constexpr double kErrorSd = 0.20;  // m/s², of e
   using State = Eigen::Matrix<double, kStates, 1>;
   using Covariance = Eigen::Matrix<double, kStates, kStates>;
   struct Heard {
     int source;
     double time_s, range, variance;
+    Eigen::Vector3d place;
   };
-  /// Takes one state for about a value, weakly.
+  struct Sight {
+    Eigen::Vector3d u;
+    double distance, delay_s;
+  };
+  [[nodiscard]] Sight sight(int source, const SourceStep& step) const;
+  void propagate(double dt, const TrackerStep& step);
+  void orient(const TrackerStep& step);
+  [[nodiscard]] double loose_jerk(const TrackerStep& step) const;
   void remind(int state, double value, double sd);
-  void start(double time_s);
+  void bound(const TrackerStep& step);
+  void corrected_by(const State& before);
+  void inject();  ///< The orientation's error into the orientation.
+  void start(const SourceStep& step);
   [[nodiscard]] bool solve(const Eigen::Vector3d& guess, Eigen::Vector3d& p, Eigen::Matrix3d& P, double& cost) const;
 
-  const RangingFormat& format_;
+  RangingFormat format_;
   RangingParameters parameters_;
+  Eigen::Vector3d receiver_, origin_;
+  Eigen::Quaterniond R_CS_rest_, R_CS_;
+  Eigen::Vector3d f_mean_ = Eigen::Vector3d::Zero(), f_mean_C_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d a_ = Eigen::Vector3d::Zero(), f_C_ = Eigen::Vector3d::Zero();  // relative, and of the board, in C
   int sources_;
-  bool running_ = false;
-  double time_s_ = 0.0;
-  double last_update_s_ = 0.0, next_reminder_s_ = 0.0;
+  bool oriented_ = false, aided_ = false, running_ = false, known_sources_ = false;
+  double time_s_ = 0.0, last_update_s_ = 0.0, next_reminder_s_ = 0.0, next_source_reminder_s_ = 0.0;
   int contradictions_ = 0;
+  BoardStep board_;  // at the present slot
   State x_;
   Covariance P_;
+  Correction correction_;
+  bool corrected_ = false;
+  double jerk_sum_ = 0.0;
+  std::vector<double> wander_sums_;
   std::vector<Heard> heard_;
 };
 

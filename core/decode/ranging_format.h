@@ -16,6 +16,8 @@ struct RangingSource {
   double phase = 0.0,
          phase_2 = 0.0;  ///< Phase at u = angle off the normal / 60 degrees: phase u² + phase_2 u³, radians.
   double level = 1.0;    ///< Amplitude relative to `level_m`.
+  double wander = 3e-3;  ///< How uncertain its place becomes where its segment turns against the others: metres per
+                         ///< radian, √s.
   double reach = 10.0;   ///< No limb takes this wire's microphone further away, metres.
 };
 
@@ -42,13 +44,17 @@ enum class RangingMethod {
 
 struct RangingParameters {
   RangingMethod method = RangingMethod::kCarrier;
-  double detection = 16.0;           ///< Energy of an arrival over the noise's after the matched filter.
-  double phase_sd = 0.15e-3;         ///< What calibration leaves of the sources' phases, metres.
-  double placement_sd = 6e-3;        ///< How far sources sit from where the rig says, metres.
-  double jerk = 40.0;                ///< White jerk of a limb, m/s³ √s.
-  double source_acceleration = 0.6;  ///< White acceleration of sources on other segments, m/s² √s.
-  double certainty = 0.98;           ///< Of a whole number of cycles.
-  double least_confidence = 0.1;     ///< Of an accepted range.
+  double detection = 16.0;        ///< Energy of an arrival over the noise's after the matched filter.
+  double phase_sd = 0.15e-3;      ///< What calibration leaves of the sources' phases, metres.
+  double finest = 0.55e-3;        ///< A carrier whose phase is known worse than this is none, metres.
+  double placement_sd = 6e-3;     ///< How far sources and boards sit from where the rig says, metres.
+  double jerk = 40.0;             ///< White jerk of a limb whose words are not heard, m/s³ √s.
+  double failure = 5e-4;          ///< Probability of another whole number of cycles up to which one is accepted.
+  double caution = 1.3;           ///< Of the envelope's variance: echoes that overlap, shapes that are not quite so.
+  double stray = 0.001;           ///< Probability that an expectation is far worse than it thinks,
+  double stray_m = 4e-3;          ///< and by how much then, metres.
+  double least_confidence = 0.1;  ///< Of an accepted range.
+  double look_ahead_s = 1.0;      ///< A pulse is judged by what comes up to this later, too; 0: at once.
 };
 
 }  // namespace limbwave::decode

@@ -12,6 +12,10 @@ namespace {
 using body::TreeLink;
 using Eigen::VectorXd;
 
+// Rows that are updated with at once: more rows pass over the covariance less often, fewer need less to be
+// decorrelated.
+constexpr int kChunkRows = 36;
+
 BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, const body::Tree& tree) {
   BodyLayout layout;
   layout.dofs = tree.dofs();
@@ -210,7 +214,7 @@ void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepR
   }
   for (std::size_t i = 0; i < instant.inertials; ++i) {
     add_inertial(instant.inertial[i]);
-    if (pending_rows_ >= 18) {
+    if (pending_rows_ >= kChunkRows) {
       flush(record);
     }
   }
@@ -255,6 +259,9 @@ void BodyFilter::flush(StepRecord* record) {
             g->H[s * static_cast<std::size_t>(g->rows) + static_cast<std::size_t>(r)] * correction_[g->support[s]];
       }
     }
+  }
+  if (record != nullptr && record->linearised != nullptr) {
+    record->linearised->emplace_back(first, last);
   }
   UpdateRecord* update = nullptr;
   if (record != nullptr) {

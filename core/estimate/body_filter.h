@@ -49,7 +49,7 @@ struct BodyFilterParameters {
 
   // Constants: prior and random walk per √s.
   double gyroscope_bias = 0.002, gyroscope_bias_walk = 1e-4;
-  double accelerometer_bias = 0.05, accelerometer_bias_walk = 1e-3;
+  double accelerometer_bias = 0.15, accelerometer_bias_walk = 1e-3;  ///< With what scale and cross-axis make of g.
   double mount_rotation = 0.05, mount_rotation_walk = 0.0;
   double mount_place = 0.006, mount_place_walk = 0.0;
   double source_place = 0.006;
@@ -116,8 +116,9 @@ struct PredictRecord {
   std::vector<Ball> balls;
   double c = 0.0;  ///< Of all others: θ += dt θ̇ + c θ̈.
   struct Tissue {
-    int angle, gain;  ///< First of three.
-    double a, b;      ///< angle = a angle + b gain, gain *= a.
+    int angle, gain;                             ///< First of three.
+    double a, b;                                 ///< angle = a angle + b gain, gain *= a.
+    double angle_noise, both_noise, gain_noise;  ///< Variances and covariance that are added, the same on all axes.
   };
   std::vector<Tissue> tissues;
 };
@@ -127,6 +128,8 @@ struct StepRecord {
   bool forgets = false;  ///< Velocities and accelerations were forgotten before the prediction (body_step_hook.h).
   PredictRecord predict;
   std::vector<UpdateRecord> updates;
+  /// Wanted by whoever sets it: what was measured, as it was linearised, a list per update.
+  std::vector<std::vector<MeasurementGroup>>* linearised = nullptr;
 };
 
 class BodyFilter {
@@ -190,10 +193,6 @@ class BodyFilter {
   BodyState state_;
   ErrorCovariance P_;
   std::vector<PredictRecord::Tissue> tissue_steps_;
-  struct TissueNoise {
-    double angle, both, gain;
-  };
-  std::vector<TissueNoise> tissue_noise_;
   std::vector<MeasurementGroup> groups_;
   std::size_t used_groups_ = 0;
   int pending_rows_ = 0;

@@ -47,10 +47,11 @@ void BodyFilter::predict_tissue(double dt, PredictRecord* record) {
     }
     const double s = dt * kinematics_.link(tree_.link_of(model_.boards[b].segment)).w.norm() / memory;
     const TissueStep step = tissue_step(s);
-    tissue_steps_.push_back({layout_.tissue_angle[b], layout_.tissue_gain[b], step.a, step.a * s * memory});
+    const double q = sigma * sigma;
+    tissue_steps_.push_back({layout_.tissue_angle[b], layout_.tissue_gain[b], step.a, step.a * s * memory,
+                             q * memory * memory * step.psi, q * memory * step.psi_g, q * step.g});
     state_.tissue_angle[b] = step.a * (state_.tissue_angle[b] + s * memory * state_.tissue_gain[b]);
     state_.tissue_gain[b] *= step.a;
-    const double q = sigma * sigma;
     const PredictRecord::Tissue& t = tissue_steps_.back();
     for (int i = 0; i < 3; ++i) {
       double* angle = P_.row(t.angle + i);
@@ -60,7 +61,6 @@ void BodyFilter::predict_tissue(double dt, PredictRecord* record) {
         gain[k] *= t.a;
       }
     }
-    tissue_noise_.push_back({q * memory * memory * step.psi, q * memory * step.psi_g, q * step.g});
   }
   for (int k = 0; k < layout_.size; ++k) {
     double* x = P_.row(k);
@@ -71,17 +71,14 @@ void BodyFilter::predict_tissue(double dt, PredictRecord* record) {
       }
     }
   }
-  for (std::size_t k = 0; k < tissue_steps_.size(); ++k) {
-    const PredictRecord::Tissue& t = tissue_steps_[k];
-    const TissueNoise& noise = tissue_noise_[k];
+  for (const PredictRecord::Tissue& t : tissue_steps_) {
     for (int i = 0; i < 3; ++i) {
-      P_.add_variance(t.angle + i, noise.angle);
-      P_.add_variance(t.gain + i, noise.gain);
-      P_.row(t.angle + i)[t.gain + i] += noise.both;
-      P_.row(t.gain + i)[t.angle + i] += noise.both;
+      P_.add_variance(t.angle + i, t.angle_noise);
+      P_.add_variance(t.gain + i, t.gain_noise);
+      P_.row(t.angle + i)[t.gain + i] += t.both_noise;
+      P_.row(t.gain + i)[t.angle + i] += t.both_noise;
     }
   }
-  tissue_noise_.clear();
   if (record != nullptr) {
     record->tissues = tissue_steps_;
   }

@@ -26,24 +26,19 @@ void append_pose(const BodyFilter& filter, const BodyState& state, BodyTrack& tr
   track.root_p_W.push_back(filter.tree().root_position(state.joints));
 }
 
-void append_sigma(const BodyFilter& filter, BodyTrack& track) {
-  std::vector<float>& sigma = track.sigma.emplace_back(static_cast<std::size_t>(filter.tree().segments()), 0.0F);
-  std::vector<double> variance(sigma.size(), 0.0);
-  const ErrorCovariance& P = filter.covariance();
-  Vector3d root = Vector3d::Zero();
-  for (const body::TreeLink& link : filter.tree().links()) {
-    for (int i = link.first; i < link.first + link.count; ++i) {
-      if (link.kind == body::LinkKind::kTranslation) {
-        root[i - link.first] = std::sqrt(P(i, i));
-      } else {
-        variance[static_cast<std::size_t>(link.segment)] += P(i, i);
-      }
-    }
+void append_sigma(PoseSigma sigma, BodyTrack& track) {
+  track.sigma.push_back(std::move(sigma.joints));
+  track.point_sigma.push_back(std::move(sigma.points));
+  track.root_sigma.push_back(sigma.root);
+}
+
+// Columns of P that belong to the joints, so many rows of them.
+void copy_columns(const BodyFilter& filter, int rows, Eigen::MatrixXd& P_theta) {
+  const int dofs = filter.layout().dofs;
+  P_theta.resize(rows, dofs);
+  for (int d = 0; d < dofs; ++d) {
+    std::copy_n(filter.covariance().row(d), rows, P_theta.col(d).data());
   }
-  for (std::size_t i = 0; i < sigma.size(); ++i) {
-    sigma[i] = static_cast<float>(std::sqrt(variance[i]));
-  }
-  track.root_sigma.push_back(root);
 }
 
 void reserve(BodyTrack& track, std::size_t count) {
@@ -51,6 +46,7 @@ void reserve(BodyTrack& track, std::size_t count) {
   track.R_joint.reserve(count);
   track.root_p_W.reserve(count);
   track.sigma.reserve(count);
+  track.point_sigma.reserve(count);
   track.root_sigma.reserve(count);
 }
 
@@ -135,67 +131,11 @@ class Run {
   std::vector<char> wanted;
 };
 
-// λ before an update from λ behind it.
-void back_over_update(const UpdateRecord& update, VectorXd& lambda) {
-  const long m = update.W.rows();
-  VectorXd product(m);
-  for (long i = 0; i < m; ++i) {
-    product[i] =
-        update.e[static_cast<std::size_t>(i)] + Eigen::Map<const VectorXd>(update.W.row(i), lambda.size()).dot(lambda);
-  }
-  for (long i = 0; i < m; ++i) {
-    const double* g = update.G.row(i);
-    for (std::size_t s = 0; s < update.support.size(); ++s) {
-      lambda[update.support[s]] -= g[s] * product[i];
-    }
-  }
-}
-
-// λ before a prediction from λ behind it: Fᵀ λ.
-void back_over_predict(const PredictRecord& predict, const body::Tree& tree, VectorXd& lambda) {
-  if (predict.dt <= 0.0) {
-    return;
-  }
-  for (const PredictRecord::Tissue& t : predict.tissues) {
-    lambda.segment<3>(t.gain) = t.a * lambda.segment<3>(t.gain) + t.b * lambda.segment<3>(t.angle);
-    lambda.segment<3>(t.angle) *= t.a;
-  }
-  const int n = tree.dofs();
-  lambda.segment(2 * n, n) = predict.aa * lambda.segment(2 * n, n) + predict.va * lambda.segment(n, n);
-  auto ball = predict.balls.begin();
-  using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  for (const body::TreeLink& link : tree.links()) {
-    const int f = link.first;
-    if (link.kind == body::LinkKind::kBall) {
-      const Vector3d at = lambda.segment<3>(f);
-      lambda.segment<3>(f) = Eigen::Map<const Block>(ball->A.data()).transpose() * at;
-      lambda.segment<3>(n + f) += Eigen::Map<const Block>(ball->B.data()).transpose() * at;
-      lambda.segment<3>(2 * n + f) += Eigen::Map<const Block>(ball->C.data()).transpose() * at;
-      ++ball;
-    } else {
-      for (int i = f; i < f + link.count; ++i) {
-        lambda[n + i] += predict.dt * lambda[i];
-        lambda[2 * n + i] += predict.c * lambda[i];
-      }
-    }
-  }
-}
-
 Error stopped() {
   return cancelled();
 }
 
 }  // namespace
-
-void adjoint_over_step(const StepRecord& step, const body::Tree& tree, VectorXd& lambda) {
-  for (std::size_t u = step.updates.size(); u-- > 0;) {
-    back_over_update(step.updates[u], lambda);
-  }
-  back_over_predict(step.predict, tree, lambda);
-  if (step.forgets) {
-    lambda.segment(tree.dofs(), 2 * tree.dofs()).setZero();
-  }
-}
 
 Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& parameters,
                             const BodyReadings& readings, double rate_hz, const Progress& progress,
@@ -211,11 +151,13 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
   }
   result.diagnostics = *std::move(started);
   reserve(result.track, run.instants.size());
+  Eigen::MatrixXd P_theta;
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
     run.step(i);
     if (run.wanted[i] != 0) {
       append_pose(run.filter, run.filter.state(), result.track);
-      append_sigma(run.filter, result.track);
+      copy_columns(run.filter, run.filter.layout().dofs, P_theta);
+      append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints, P_theta, {}), result.track);
     }
     if (i % 64 == 0 && !progress.report(static_cast<double>(i) / static_cast<double>(run.instants.size()))) {
       return stopped();
@@ -257,15 +199,12 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
   }
   run.finish(result);
 
-  const int dofs = run.filter.layout().dofs;
   const int size = run.filter.layout().size;
-  VectorXd lambda = VectorXd::Zero(size);
+  SampledAdjoint adjoint(size);
   struct Kept {
     StepRecord record;
     BodyState state;
     Eigen::MatrixXd P_theta;  // columns: joint degrees of freedom
-    std::vector<float> sigma;
-    Vector3d root_sigma;
   };
   std::vector<Kept> kept;
   BodyTrack reversed;
@@ -281,25 +220,19 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
       run.step(i, &k.record);
       if (run.wanted[i] != 0) {
         k.state = run.filter.state();
-        k.P_theta.resize(size, dofs);
-        for (int d = 0; d < dofs; ++d) {
-          std::copy_n(run.filter.covariance().row(d), size, k.P_theta.col(d).data());
-        }
-        BodyTrack one;
-        append_sigma(run.filter, one);
-        k.sigma = std::move(one.sigma.front());
-        k.root_sigma = one.root_sigma.front();
+        copy_columns(run.filter, size, k.P_theta);
       }
     }
     for (std::size_t i = end; i-- > checkpoint.first;) {
       Kept& k = kept[i - checkpoint.first];
       if (run.wanted[i] != 0) {
-        run.filter.tree().add(k.state.joints, -(k.P_theta.transpose() * lambda));
+        run.filter.tree().add(k.state.joints, -(k.P_theta.transpose() * adjoint.lambda()));
         append_pose(run.filter, k.state, reversed);
-        reversed.sigma.push_back(k.sigma);
-        reversed.root_sigma.push_back(k.root_sigma);
+        append_sigma(
+            pose_sigma(run.filter.tree(), model.skeleton, k.state.joints, k.P_theta, adjoint.changes(k.P_theta)),
+            reversed);
       }
-      adjoint_over_step(k.record, run.filter.tree(), lambda);
+      adjoint.over_step(k.record, run.filter.tree());
     }
     end = checkpoint.first;
     checkpoints.pop_back();
@@ -312,6 +245,7 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
   reverse(reversed.R_joint);
   reverse(reversed.root_p_W);
   reverse(reversed.sigma);
+  reverse(reversed.point_sigma);
   reverse(reversed.root_sigma);
   result.track = std::move(reversed);
   return result;

@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "estimate/body_adjoint.h"
 #include "estimate/body_filter.h"
 #include "estimate/body_step_hook.h"
 
@@ -21,6 +22,7 @@ struct BodyTrack {
   std::vector<std::vector<Quaterniond>> R_joint;  ///< Per time and segment, away from rest.
   std::vector<Vector3d> root_p_W;                 ///< Per time: place of the root joint.
   std::vector<std::vector<float>> sigma;          ///< Per time and segment: of the joint's rotation, rad, all axes.
+  std::vector<std::vector<float>> point_sigma;    ///< Per time and segment: of its far end's place, m, all axes.
   std::vector<Vector3d> root_sigma;               ///< Per time: of the root's place, m.
 };
 
@@ -40,10 +42,6 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
 Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& parameters,
                             const BodyReadings& readings, double rate_hz, const Progress& progress,
                             double stretch_s = 1.5, BodyStepHook* hook = nullptr);
-
-/// The smoother's adjoint variable λ before a step, from λ behind it (Bryson and Frazier's recursion): the smoothed
-/// error state is −P λ with the covariance P behind the step.
-void adjoint_over_step(const StepRecord& step, const body::Tree& tree, Eigen::VectorXd& lambda);
 
 /// Starts the filter from the readings: the root from its path or from gravity, everything else at rest; gyroscopes
 /// that stand still in the first second tell their bias (Vlasic et al. 2007, §5.4). Pose and mountings are left to the

@@ -1,4 +1,5 @@
-/// Inner loops over covariance matrices. All matrices are row-major, 32-byte aligned, with n a multiple of 8 columns.
+/// Inner loops over covariance matrices. All matrices are row-major, 64-byte aligned, with n a multiple of 32 columns
+/// (`subtract`: of 8).
 #pragma once
 
 namespace limbwave::estimate {
@@ -16,7 +17,7 @@ struct CovarianceKernel {
                    const double* C, long n);
 };
 
-/// The best for this processor; all give the same bits.
+/// The best for this processor. On one processor results are always the same; between processors they agree to rounding.
 const CovarianceKernel& covariance_kernel();
 /// The one for every processor.
 const CovarianceKernel& portable_covariance_kernel();

@@ -1,8 +1,9 @@
-// Compiled for AVX2 without fused operations.
+// Compiled for AVX2 with fused operations.
 #include "estimate/covariance_kernel.h"
 
 namespace limbwave::estimate {
 namespace {
+#define LIMBWAVE_LANES 4
 #include "estimate/covariance_kernel.inc"
 }  // namespace
 

@@ -10,13 +10,13 @@
 namespace limbwave::estimate {
 
 void AlignedRows::resize(long rows, long columns) {
-  constexpr std::size_t kSlack = 4;
+  constexpr std::size_t kSlack = 8;
   const auto needed = static_cast<std::size_t>(rows * columns) + kSlack;
   if (memory_.size() < needed) {
     memory_.resize(needed);
   }
   const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
-  data_ = memory_.data() + (32 - address % 32) % 32 / sizeof(double);
+  data_ = memory_.data() + (64 - address % 64) % 64 / sizeof(double);
   rows_ = rows;
   columns_ = columns;
 }
@@ -40,7 +40,7 @@ AlignedRows& AlignedRows::operator=(AlignedRows&& other) noexcept {
 }
 
 ErrorCovariance::ErrorCovariance(int size) : size_(size), kernel_(&covariance_kernel()) {
-  const long padded = (size + 7) / 8 * 8;
+  const long padded = (size + 31) / 32 * 32;
   P_.resize(padded, padded);
   std::fill_n(P_.row(0), padded * padded, 0.0);
 }
@@ -175,7 +175,7 @@ double ErrorCovariance::update(MeasurementGroup* first, MeasurementGroup* last, 
     }
     std::sort(record->support.begin(), record->support.end());
     record->support.erase(std::unique(record->support.begin(), record->support.end()), record->support.end());
-    const auto columns = static_cast<long>(record->support.size() + 3) / 4 * 4;
+    const auto columns = static_cast<long>(record->support.size() + 7) / 8 * 8;
     record->G.resize(m, columns);
     std::fill_n(record->G.row(0), m * columns, 0.0);
     long i = 0;

@@ -46,6 +46,7 @@ Result<DriverBoxTruth> load_driver_box_truth(const std::filesystem::path& file) 
       }
       truth.pulses.push_back(std::move(pulse));
     }
+    truth.speed_of_sound = json->value("speed_of_sound_m_s", 0.0);
     for (const nlohmann::json& board : json->at("words")) {
       auto& frames = truth.words.emplace_back();
       for (const nlohmann::json& row : board.at("frames")) {
@@ -63,11 +64,13 @@ Result<DriverBoxTruth> load_driver_box_truth(const std::filesystem::path& file) 
   return truth;
 }
 
-DriverBoxComparison::DriverBoxComparison(const DriverBoxTruth& truth, double rate_hz, double wavelength,
-                                         double gyroscope_range_rad_s, double accelerometer_range_m_s2)
+DriverBoxComparison::DriverBoxComparison(const DriverBoxTruth& truth, double rate_hz, double pulse_hz,
+                                         double speed_of_sound, double gyroscope_range_rad_s,
+                                         double accelerometer_range_m_s2)
     : truth_(truth),
       rate_hz_(rate_hz),
-      wavelength_(wavelength),
+      wavelength_((truth.speed_of_sound > 0.0 ? truth.speed_of_sound : speed_of_sound) / pulse_hz),
+      scale_(truth.speed_of_sound > 0.0 ? truth.speed_of_sound / speed_of_sound : 1.0),
       gyroscope_range_(gyroscope_range_rad_s),
       accelerometer_range_(accelerometer_range_m_s2),
       next_frame_(truth.words.size()) {}
@@ -95,7 +98,13 @@ void DriverBoxComparison::add(const decode::RangeReading& reading) {
   false_ += clear && !confident ? 1 : 0;
   if (accepted) {
     const double later = reading.emission_time.value - static_cast<double>(pulse->emission) / rate_hz_;
-    errors_.push_back(static_cast<float>(reading.range - (pair.range + later * pair.rate)));
+    const double error = scale_ * reading.range - (pair.range + later * pair.rate);
+    errors_.push_back(static_cast<float>(error));
+    if (std::abs(error) < 0.5 * wavelength_ && reading.variance > 0.0) {
+      ++compared_;
+      nis_ += error * error / reading.variance;
+      beyond_ += error * error > 9.0 * reading.variance ? 1 : 0;
+    }
   }
 }
 
@@ -143,6 +152,7 @@ RangeStatistics DriverBoxComparison::ranges() const {
   };
   result.missed_occlusions = fraction(missed_, ranges_.occluded);
   result.false_occlusions = fraction(false_, ranges_.clear);
+  result.speed_error = 1.0 / scale_ - 1.0;
   if (errors_.empty()) {
     return result;
   }
@@ -170,6 +180,8 @@ RangeStatistics DriverBoxComparison::ranges() const {
   result.p95_mm = 1e3 * at_fraction(sorted, 0.95);
   result.max_mm = 1e3 * sorted.back();
   result.slips = fraction(slips, static_cast<std::int64_t>(errors_.size()));
+  result.nis = compared_ > 0 ? nis_ / static_cast<double>(compared_) : 0.0;
+  result.beyond_3_sd = fraction(beyond_, compared_);
   result.wrong = fraction(wrong, static_cast<std::int64_t>(errors_.size()));
   return result;
 }
@@ -187,6 +199,9 @@ nlohmann::json ranges_to_json(const RangeStatistics& r) {
           {"max_mm", r.max_mm},
           {"slips", r.slips},
           {"wrong", r.wrong},
+          {"nis", r.nis},
+          {"beyond_3_sd", r.beyond_3_sd},
+          {"speed_error", r.speed_error},
           {"missed_occlusions", r.missed_occlusions},
           {"false_occlusions", r.false_occlusions}};
 }

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json_reader.h"
 #include "base/units.h"
+#include "estimate/exact_rig.h"
 #include "estimate/sensor_mixup.h"
 #include "solve/driver_box.h"
 #include "take/body_log.h"
@@ -98,6 +99,7 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
     p.gyroscope_bias_walk = 2e-4;
     p.accelerometer_noise = 0.05;
     p.accelerometer_relative = 0.01;
+    p.accelerometer_bias = 0.05;
     p.accelerometer_bias_walk = 1e-4;
     p.gate_probability = 0.0;  // there is nothing that could contradict it
   }
@@ -217,6 +219,10 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   if (settings.smooth && !settings.resume.empty()) {
     return Error{"a smoother looks to both sides and cannot resume", settings.resume, "choose the filter"};
   }
+  const bool exact = settings.resume.empty() && estimate::rig_is_exact(model, parameters, readings);
+  if (exact) {
+    parameters = estimate::exact_parameters(parameters);
+  }
   Result<Ran> ran = run_and_put_right(model, parameters, readings, settings, progress);
   if (!ran) {
     Error error = ran.error();
@@ -244,6 +250,7 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   }
   clip.root_position.times = track.times;
   clip.root_position.values = track.root_p_W;
+  solve.uncertainty = {track.times, track.sigma, track.point_sigma};
   solve.report.diagnostics = run->diagnostics;
   solve.report.diagnostics.insert(solve.report.diagnostics.end(), ran->found.begin(), ran->found.end());
   report_drift(track, settings.root, solve.report.diagnostics);

@@ -17,7 +17,9 @@ using Eigen::Vector3d;
 
 constexpr double kTemperature = 22.0;
 constexpr double kHumidity = 0.5;
-constexpr double kReachMargin = 1.05;  // bones longer than the rig's, placement
+constexpr double kReachMargin = 1.05;   // bones longer than the rig's, placement
+constexpr double kWander = 3e-3;        // metres per radian, of a source on a segment whose every joint is followed
+constexpr double kLooseWander = 12e-3;  // of others
 constexpr std::size_t kBlockFrames = 28000;
 
 // The longest way along bones between points on two segments.
@@ -56,6 +58,72 @@ double longest_way(const body::Skeleton& skeleton, int a, const Vector3d& p_a, i
     return (p_a - p_b).norm();
   }
   return (a_there ? 0.0 : way_a) + (b_there ? 0.0 : way) + ((a_there ? p_a : from_a) - (b_there ? p_b : from_b)).norm();
+}
+
+// Which boards sit beside the sources; boards and microphones of a wire are one piece.
+decode::BoxGeometry box_geometry(const body::Rig& rig, const body::Skeleton& skeleton,
+                                 const std::vector<body::SegmentPose>& poses, int reference) {
+  const body::SegmentPose& frame = poses[static_cast<std::size_t>(reference)];
+  decode::BoxGeometry geometry;
+  std::map<int, int> wire_on;
+  for (std::size_t w = 0; w < rig.microphones.size(); ++w) {
+    const bool felt = w < rig.gyroscopes.size() && w < rig.accelerometers.size() &&
+                      rig.gyroscopes[w].segment == rig.microphones[w].segment;
+    const int segment = skeleton.find(rig.microphones[w].segment);
+    geometry.R_CS_rest.emplace_back(body::Quaterniond::Identity());
+    if (!felt || segment < 0) {
+      continue;
+    }
+    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
+    geometry.R_CS_rest.back() = frame.R_WL.conjugate() * pose.R_WL * rig.gyroscopes[w].R_LS;
+    wire_on.emplace(segment, static_cast<int>(w));
+    if (segment == reference && geometry.reference < 0) {
+      geometry.reference = static_cast<int>(w);
+      geometry.reference_place = rig.microphones[w].p_LS;
+    }
+  }
+  // Ways from the reference segment over joints, all at rest. A segment without a board turns as the next one does.
+  const auto to_C = [&](const Vector3d& p_W) { return Vector3d(frame.R_WL.conjugate() * (p_W - frame.p_WL)); };
+  const auto way_to = [&](int segment) {
+    std::vector<int> up;  // the reference and what it hangs on
+    for (int s = reference; s >= 0; s = skeleton.segments[static_cast<std::size_t>(s)].parent) {
+      up.push_back(s);
+    }
+    std::vector<int> down;
+    int common = segment;
+    while (std::find(up.begin(), up.end(), common) == up.end()) {
+      down.push_back(common);
+      common = skeleton.segments[static_cast<std::size_t>(common)].parent;
+    }
+    std::vector<decode::BoxGeometry::Link> way;
+    const auto add = [&](int turning, int joint_of) {
+      const auto beside = wire_on.find(turning);
+      way.push_back(
+          {beside != wire_on.end() ? beside->second : -1, to_C(poses[static_cast<std::size_t>(joint_of)].p_WL)});
+    };
+    for (std::size_t i = 0; i < up.size() && up[i] != common; ++i) {
+      add(up[i + 1], up[i]);
+    }
+    for (std::size_t i = down.size(); i-- > 0;) {
+      add(down[i], down[i]);
+    }
+    geometry.complete.push_back(std::all_of(way.begin(), way.end(), [](const auto& link) { return link.wire >= 0; }));
+    for (std::size_t i = way.size(); i-- > 1;) {
+      way[i - 1].wire = way[i - 1].wire < 0 ? way[i].wire : way[i - 1].wire;
+    }
+    return way;
+  };
+  for (const body::Microphone& microphone : rig.microphones) {
+    const int segment = std::max(0, skeleton.find(microphone.segment));
+    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
+    geometry.boards.push_back(way_to(segment));
+    geometry.complete.clear();
+    geometry.board_places.push_back(to_C(pose.p_WL + pose.R_WL * microphone.p_LS));
+  }
+  for (const body::Source& source : rig.sources) {
+    geometry.sources.push_back(way_to(std::max(0, skeleton.find(source.segment))));
+  }
+  return geometry;
 }
 
 }  // namespace
@@ -118,6 +186,11 @@ decode::DriverBoxFormat driver_box_format(const body::Rig& rig, const body::Skel
       source.level = calibration.sources[s].level;
     }
     common.sources.push_back(source);
+  }
+  format.geometry = box_geometry(rig, skeleton, poses, reference);
+  for (std::size_t s = 0; s < rig.sources.size(); ++s) {
+    // What a joint does between two segments without a board is not told.
+    common.sources[s].wander = format.geometry.complete[s] ? kWander : kLooseWander;
   }
   for (const body::Microphone& microphone : rig.microphones) {
     decode::RangingFormat wire = common;

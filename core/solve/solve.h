@@ -61,6 +61,11 @@ struct Solve {
   /// Per accelerometer and frame of the clip: 0..1, how far gravity alone explains the reading. Empty for one that sits
   /// on no segment of the skeleton.
   std::vector<std::vector<float>> trust;
+  /// How sure the poses are, where the method tells: stored as uncertainty.csv, not read back.
+  struct Uncertainty {
+    std::vector<double> times;
+    std::vector<std::vector<float>> joint, point;  ///< Per time and segment: σ of its joint, rad, and its end, m.
+  } uncertainty;
   QualityReport report;
 };
 

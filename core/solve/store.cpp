@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "base/folder.h"
 #include "base/json_reader.h"
 #include "base/json_text.h"
+#include "base/units.h"
 #include "interchange/gltf_clip.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
@@ -62,6 +64,19 @@ Result<nlohmann::json> load_json(const fs::path& path) {
   return parse_json(*text, path.string());
 }
 
+// A table for other programs: a row a time and segment.
+std::string uncertainty_text(const Solve& solve) {
+  const Solve::Uncertainty& u = solve.uncertainty;
+  std::string text = "time_s,segment,joint_sigma_deg,point_sigma_mm\n";
+  for (std::size_t i = 0; i < u.times.size() && i < u.joint.size() && i < u.point.size(); ++i) {
+    for (std::size_t s = 0; s < u.joint[i].size() && s < solve.clip.skeleton.segments.size(); ++s) {
+      text += fmt::format("{:.4f},{},{:.3f},{:.1f}\n", u.times[i], solve.clip.skeleton.segments[s].name,
+                          degrees(u.joint[i][s]), 1e3 * u.point[i][s]);
+    }
+  }
+  return text;
+}
+
 Status write_parts(const fs::path& folder, const Solve& solve) {
   if (Status status = interchange::write_glb(solve.clip, folder / "clip.glb"); !status) {
     return status;
@@ -69,6 +84,11 @@ Status write_parts(const fs::path& folder, const Solve& solve) {
   if (Status status = write_file(folder / "settings.json", json_text(settings_to_json(solve.settings), 2) + "\n");
       !status) {
     return status;
+  }
+  if (!solve.uncertainty.times.empty()) {
+    if (Status status = write_file(folder / "uncertainty.csv", uncertainty_text(solve)); !status) {
+      return status;
+    }
   }
   nlohmann::json quality = report_to_json(solve);
   quality["trust_percent"] = trust_to_json(solve.trust);

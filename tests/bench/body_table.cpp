@@ -1,6 +1,9 @@
 // Table 1 of Vlasic et al. 2007 on simulated takes, side by side with the paper. Prints, never decides.
 // body_table [key=value...]: motions, errors (profiles or files), seeds, sensors, methods (filter, smoother) are lists
-// with commas; rest, seconds are numbers; joints=1 adds a line per joint; any parameter of the filter by its name.
+// with commas; rest, seconds are numbers; joints=1 adds a line per joint, times=S one per stretch of time, constants=1
+// one per board, drift=1 the first and the last 30 s (motions=walk seconds=300 drift=1: five minutes on a treadmill);
+// any parameter of the filter goes by its name. "stated" is the root mean square of the σ that the estimate gives
+// itself.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -8,6 +11,7 @@
 #include <sstream>
 
 #include "estimate/body_parameters.h"
+#include "estimate/exact_rig.h"
 #include "support/body_runs.h"
 
 namespace {
@@ -54,7 +58,7 @@ struct Settings {
   std::vector<std::string> sensors{"A", "AD", "D", "G", "GD", "AG", "AGD"};
   double rest = 3.0, seconds = 0.0, metres = 0.0;
   double times = 0.0;
-  bool joints = false, constants = false;
+  bool joints = false, constants = false, drift = false;
   std::vector<std::pair<std::string, double>> parameters;
 };
 
@@ -85,6 +89,8 @@ Settings parse(int argc, char** argv) {
       s.metres = number;
     } else if (key == "joints") {
       s.joints = number != 0.0;
+    } else if (key == "drift") {
+      s.drift = number != 0.0;
     } else if (key == "times") {
       s.times = number;
     } else if (key == "constants") {
@@ -164,6 +170,10 @@ void run(const Settings& settings, const testing_support::Wearer& wearer, const 
       }
       const estimate::BodyModel model = estimate::body_model(wearer.rig, wearer.skeleton);
       const double begin = cpu_seconds();
+      const bool exact = estimate::rig_is_exact(model, p, wearer.readings);
+      if (exact) {
+        p = estimate::exact_parameters(p);
+      }
       const auto solved = need(method == "filter" ? estimate::filter_body(model, p, wearer.readings, 60.0, {})
                                                   : estimate::smooth_body(model, p, wearer.readings, 60.0, {}));
       const double busy = cpu_seconds() - begin;
@@ -178,12 +188,19 @@ void run(const Settings& settings, const testing_support::Wearer& wearer, const 
         fmt::print("{:5.1f} ", figure);
       }
       fmt::print("| {:6.3f} worst {:6.3f} max {:6.2f} | rms {:5.2f} stated {:5.2f} | {:.1f}\n", errors.all.mean(),
-                 worst, errors.all.largest, errors.all.rms(), errors.all.sigma(), seconds / busy);
+                 worst, errors.all.largest, errors.all.rms(), errors.all.sigma(), seconds / busy,
+                 exact ? "(exact rig)" : "");
       if (settings.joints) {
         for (const auto& [name, e] : errors.by_name) {
           fmt::print("   {:<16} {:6.2f} / {:5.2f}  max {:6.2f}   rms {:5.2f} stated {:5.2f}\n", name, e.mean(), e.sd(),
                      e.largest, e.rms(), e.sigma());
         }
+      }
+      if (settings.drift) {
+        const JointErrors first = errors_of(wearer, solved.track, settings.rest + 2.0, settings.rest + 32.0);
+        const JointErrors last = errors_of(wearer, solved.track, seconds - 30.0, seconds);
+        fmt::print("   mean of all joints in the first 30 s {:.2f}, in the last 30 s {:.2f} degrees\n",
+                   first.all.mean(), last.all.mean());
       }
       if (settings.times > 0.0) {
         print_times(wearer, solved.track, settings.times);

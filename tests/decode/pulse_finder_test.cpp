@@ -43,6 +43,7 @@ RangeReading range_of(const std::vector<float>& samples, RangingMethod method) {
   static const auto shape = RangingDecoder(one_source(), SampleRate{kRate}, 0).shape();
   RangingDecoder decoder(one_source(), SampleRate{kRate}, 0, parameters, shape);
   decoder.push(samples.data(), samples.size(), 1);
+  decoder.finish();
   return decoder.take_readings().front();
 }
 

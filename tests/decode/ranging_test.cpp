@@ -86,7 +86,7 @@ TEST(Ranging, PerfectWorldIsExactWhereItIsAccepted) {
 TEST(Ranging, BlocksAndThreadsDoNotMatter) {
   const auto errors = simulate::load_driver_box_errors("calibrated");
   ASSERT_TRUE(errors.ok());
-  const World world = simulated("box", *errors, 3.0, 4);
+  const World world = simulated("box", *errors, 5.0, 4);
   DriverBoxParameters parameters;
   const auto whole = decoded(world, parameters, world.samples.size());
   for (const std::size_t block : {std::size_t{301}, std::size_t{1120}, std::size_t{14000}}) {

@@ -1,0 +1,407 @@
+#include "decode/range_resolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+
+namespace limbwave::decode {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kStrong = 0.6;         // of the amplitude expected: fully believed from here
+constexpr double kSystematic = 0.4e-3;  // metres, of the envelope beside its noise
+constexpr double kSurprise = 5.0;       // standard deviations
+constexpr double kNowhere = 0.6;        // radians, of a direction that is not known
+constexpr double kPoseAngle = 0.06;     // radians, of one that a pose filter tells
+constexpr double kDoubt = 4.0;          // standard deviations of the mean of envelope minus carrier
+constexpr double kPairForgets = 0.7;    // seconds
+constexpr double kFarthest = 3.5;       // standard deviations of the envelope
+constexpr double kContradiction = 0.2;  // a guess that is surer than this can contradict another
+constexpr double kOverload = 0.85;      // of full scale: from there on the shape is not the pulse's, but the phase is
+constexpr double kOverloaded = 0.020;   // metres
+constexpr double kSure = 0.030;         // metres: who expects a range this well chooses among arrivals
+
+double wrapped(double value, double period) {
+  return value - period * std::floor(value / period);
+}
+
+}  // namespace
+
+RangeResolver::RangeResolver(const RangingFormat& format, SampleRate rate, int receiver,
+                             const RangingParameters& parameters, double centroid_s,
+                             const Eigen::Quaterniond& R_CS_rest, const Eigen::Vector3d& origin)
+    : format_(format),
+      rate_(rate),
+      receiver_(receiver),
+      parameters_(parameters),
+      centroid_s_(centroid_s),
+      wavelength_(format.speed_of_sound / format.pulse_hz),
+      followed_{RangeTracker(format, parameters, R_CS_rest, origin), {}},
+      stretch_(
+          static_cast<std::size_t>(std::max(0.0, std::ceil(parameters.look_ahead_s * rate.hz / format.slot_samples)))) {
+  followed_.pairs.assign(format.sources.size(), {CycleTracker(wavelength_, parameters.stray, parameters.stray_m)});
+}
+
+void RangeResolver::Followed::pass_on() {
+  if (!tracker.corrected()) {
+    return;
+  }
+  for (std::size_t s = 0; s < pairs.size(); ++s) {
+    if (pairs[s].cycles.running()) {
+      pairs[s].cycles.shift(-tracker.correction_of(static_cast<int>(s), pairs[s].place));
+    }
+  }
+  tracker.forget_corrections();
+}
+
+RangeReading RangeResolver::blank(const HeardSlot& heard) const {
+  RangeReading reading;
+  reading.source = heard.source;
+  reading.receiver = receiver_;
+  reading.emission = SampleIndex{heard.slot * format_.slot_samples};
+  // A pulse is heard as a whole: its range is that of the middle of its energy.
+  reading.emission_time = Seconds{rate_.seconds(reading.emission).value +
+                                  format_.sources[static_cast<std::size_t>(heard.source)].delay_s + centroid_s_};
+  reading.range = reading.envelope_range = reading.phase_range = reading.expected = kNone;
+  reading.variance = reading.envelope_variance = reading.expected_variance = kNever;
+  return reading;
+}
+
+void RangeResolver::add(const HeardSlot& heard, const TrackerStep& step) {
+  followed_.tracker.advance(step);
+  followed_.pass_on();
+  Guess guess;
+  const RangeReading reading = judge(heard, step, followed_, true, guess);
+  if (stretch_ == 0 || parameters_.method == RangingMethod::kPaper) {
+    readings_.push_back(reading);
+    return;
+  }
+  kept_.push_back({heard, step, reading, guess});
+  if (kept_.size() >= 3 * stretch_) {
+    settle(2 * stretch_);
+  }
+}
+
+void RangeResolver::finish() {
+  settle(kept_.size());
+}
+
+// Backward over all that is kept, to the first `count` of them, which then are done.
+void RangeResolver::settle(std::size_t count) {
+  Followed back = followed_;
+  back.tracker.turn_round();
+  back.tracker.forget_corrections();
+  for (Followed::Pair& pair : back.pairs) {
+    pair.cycles.stop();
+    pair.counted = pair.fixed = false;
+  }
+  for (std::size_t i = kept_.size(); i-- > 0;) {
+    Kept& kept = kept_[i];
+    back.tracker.sit(kept.step.board);
+    Guess guess;
+    const RangeReading reading = judge(kept.heard, kept.step, back, false, guess);
+    if (i < count) {
+      kept.reading = better(kept, reading, guess, wavelength_);
+    }
+    back.tracker.retreat(kept.step);
+  }
+  for (; count > 0; --count) {
+    readings_.push_back(kept_.front().reading);
+    kept_.pop_front();
+  }
+}
+
+RangeReading RangeResolver::better(const Kept& kept, const RangeReading& backward, const Guess& guess,
+                                   double wavelength) {
+  const RangeReading& forward = kept.reading;
+  const bool f = forward.verdict == RangeVerdict::kAccepted;
+  const bool b = backward.verdict == RangeVerdict::kAccepted;
+  const bool both_guess = (f || kept.guess.failure < kContradiction) && (b || guess.failure < kContradiction);
+  if ((f || b) && both_guess && std::abs(kept.guess.range - guess.range) > 0.5 * wavelength) {
+    // Past and future disagree.
+    RangeReading neither = forward;
+    neither.range = forward.envelope_range;
+    neither.variance = forward.envelope_variance;
+    neither.verdict = RangeVerdict::kAmbiguous;
+    return neither;
+  }
+  const bool later = backward.expected_variance < forward.expected_variance;
+  const RangeReading& best = later ? backward : forward;
+  const RangeReading& other = later ? forward : backward;
+  return best.verdict == RangeVerdict::kAmbiguous && (f || b) ? other : best;
+}
+
+RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
+                                  Guess& guess) {
+  RangeTracker& tracker = followed.tracker;
+  RangeReading reading = blank(heard);
+  if (const auto expected = tracker.expect(heard.source, step.source)) {
+    reading.expected = expected->range;
+    reading.expected_variance = expected->variance;
+  }
+  if (heard.cut) {
+    reading.verdict = RangeVerdict::kInterrupted;
+  } else if (parameters_.method == RangingMethod::kPaper) {
+    by_paper(heard, step, tracker, reading);
+  } else if (heard.count == 0) {
+    reading.verdict = heard.noise_now > 8.0 * heard.noise ? RangeVerdict::kDisturbed : RangeVerdict::kNothingHeard;
+  } else {
+    by_envelope(heard, step, followed, forward, reading, guess);
+  }
+  return reading;
+}
+
+// The first arrival; what comes before the one that is expected is an echo of another pulse, or noise.
+const Arrival& RangeResolver::straight(const HeardSlot& heard,
+                                       const std::optional<RangeTracker::Expectation>& expected) const {
+  if (expected && expected->variance < kSure * kSure) {
+    for (std::size_t i = 0; i < heard.count; ++i) {
+      const Arrival& arrival = heard.arrivals[i];
+      const double c = format_.speed_of_sound;
+      const double off = c * arrival.delay_s - expected->range;
+      if (off * off < kSurprise * kSurprise * (expected->variance + c * c * arrival.delay_variance + 9e-6)) {
+        return arrival;
+      }
+    }
+  }
+  return heard.arrivals.front();
+}
+
+// Strength and angle, as the paper has them, from what is known about the geometry.
+void RangeResolver::weigh(const RangingSource& source, double range, double amplitude, double noise,
+                          const Direction& towards, RangeReading& reading) const {
+  const auto radiated = [&](double angle) {
+    const std::vector<double>& table = format_.radiation;
+    if (table.size() < 2) {
+      return 1.0;
+    }
+    const double place = std::clamp(angle / kPi, 0.0, 1.0) * static_cast<double>(table.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(place), table.size() - 2);
+    const double x = place - static_cast<double>(below);
+    return table[below] + x * (table[below + 1] - table[below]);
+  };
+  double pattern = 0.25;  // where no direction is known: far off the axis, but in sight
+  reading.factors.angle = 1.0;
+  if (towards.sd < radians(6.0)) {
+    // Of the angles that are possible the one that explains the least strength.
+    pattern = radiated(std::min(kPi, towards.angle + towards.sd));
+    reading.factors.angle = std::clamp((radians(95.0) - towards.angle) / radians(10.0), 0.0, 1.0);
+  }
+  const double near = std::max(range, 0.05);
+  const double strength =
+      source.level * format_.level_m * pattern / near * std::pow(10.0, -format_.absorption_db_m * near / 20.0);
+  const double relative = amplitude / (kStrong * strength);
+  reading.factors.strength = relative >= 1.0 ? 1.0 : relative * relative * relative * relative;
+  reading.snr_db = 10.0 * std::log10(std::max(1e-9, 0.25 * amplitude * amplitude / std::max(noise * 0.5, 1e-30)));
+}
+
+void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
+                                RangeReading& reading, Guess& guess) {
+  RangeTracker& tracker = followed.tracker;
+  const RangingSource& source = format_.sources[static_cast<std::size_t>(heard.source)];
+  const double c = format_.speed_of_sound;
+  const auto expected = tracker.expect(heard.source, step.source);
+  const std::optional<RangePrediction> told = predict_ ? predict_(reading.source, reading.emission_time) : std::nullopt;
+  const Arrival& arrival = straight(heard, expected);
+  reading.envelope_range = c * arrival.delay_s;
+  reading.envelope_variance = c * c * arrival.delay_variance + kSystematic * kSystematic;
+  if (arrival.amplitude > kOverload) {
+    reading.envelope_variance += kOverloaded * kOverloaded;
+  }
+  Direction towards{0.0, kNowhere};
+  if (told && std::isfinite(told->angle)) {
+    towards = {told->angle, kPoseAngle};
+  } else if (expected) {
+    towards = {expected->angle, std::min(kNowhere, expected->angle_sd)};
+  }
+  const double u = std::min(1.5, towards.angle / (kPi / 3.0));
+  const double turn = u * u * (source.phase + source.phase_2 * u);
+  // The carrier is counted from the slot's start, the delay from the source's own.
+  const double phase = turn - arrival.phase - 2.0 * kPi * format_.pulse_hz * source.delay_s;
+  reading.phase_range = wrapped(phase / (2.0 * kPi) * wavelength_, wavelength_);
+  // Off the axis the phase turns: by what is calibrated where the direction is known, by nobody knows what else.
+  const double slope = u * (2.0 * source.phase + 3.0 * u * source.phase_2) / (kPi / 3.0);
+  const double radian = wavelength_ / (2.0 * kPi);
+  const double turn_sd = std::hypot(std::abs(slope) * towards.sd * radian, parameters_.phase_sd * std::max(1.0, u * u));
+  const double phase_variance = arrival.phase_variance * radian * radian + turn_sd * turn_sd;
+  weigh(source, reading.envelope_range, arrival.amplitude, heard.noise, towards, reading);
+  reading.range = reading.envelope_range;
+  reading.variance = reading.envelope_variance;
+  reading.flight_s = reading.range / c;
+  // Continuity: with all that this microphone has heard and felt so far.
+  reading.factors.continuity = 1.0;
+  if (expected) {
+    const double z = std::abs(reading.envelope_range - expected->range) /
+                     std::sqrt(expected->variance + reading.envelope_variance + 9e-6);
+    reading.factors.continuity = z <= kSurprise ? 1.0 : std::pow(kSurprise / z, 4);
+  }
+  if (reading.factors.strength < parameters_.least_confidence) {
+    reading.verdict = RangeVerdict::kTooWeak;
+    return;
+  }
+  if (reading.confidence() < parameters_.least_confidence || reading.envelope_range > source.reach) {
+    reading.verdict = RangeVerdict::kInconsistent;
+    tracker.contradict();
+    return;
+  }
+  if (parameters_.method == RangingMethod::kEnvelope) {
+    reading.verdict = RangeVerdict::kAccepted;
+    tracker.update(reading.source, step.source, reading.envelope_range, reading.envelope_variance);
+    tracker.collect(reading.source, step.source, reading.envelope_range, reading.envelope_variance);
+    return;
+  }
+  tracker.collect(reading.source, step.source, reading.envelope_range, reading.envelope_variance);
+  reading.verdict = RangeVerdict::kAmbiguous;
+  if (!expected) {
+    return;
+  }
+  const CycleResult result = resolve(phase_variance, step, *expected, told, reading, followed);
+  guess = {result.range, result.failure};
+  const double off = result.range - reading.envelope_range;
+  const bool near =
+      off * off <= kFarthest * kFarthest * (parameters_.caution * reading.envelope_variance + phase_variance);
+  if (near && result.failure <= parameters_.failure && phase_variance < parameters_.finest * parameters_.finest) {
+    reading.verdict = RangeVerdict::kAccepted;
+    reading.range = result.range;
+    reading.variance = phase_variance;
+    reading.flight_s = result.range / c;
+    if (forward) {
+      watch(reading);
+    }
+  }
+  follow(result, phase_variance, step.source, reading, followed);
+  followed.pass_on();
+}
+
+// What the microphone's tracker learns of it. Cycles whose number is not known tell, once they are followed from pulse
+// to pulse, how the range changes as finely as known ones; what is wrong with their number is a state until it is
+// known.
+void RangeResolver::follow(const CycleResult& result, double phase_variance, const SourceStep& step,
+                           const RangeReading& reading, Followed& followed) const {
+  RangeTracker& tracker = followed.tracker;
+  Followed::Pair& pair = followed.pairs[static_cast<std::size_t>(reading.source)];
+  const double fine = phase_variance + 0.01e-6;
+  const bool went_on = pair.counted && result.moved_failure <= parameters_.failure;
+  if (reading.verdict == RangeVerdict::kAccepted) {
+    if (went_on && !pair.fixed) {
+      tracker.fix(reading.source, static_cast<double>(pair.count + result.moved - result.cycles) * wavelength_);
+    }
+    pair.counted = pair.fixed = true;
+    pair.count = result.cycles;
+    tracker.update(reading.source, step, reading.range, fine);
+    return;
+  }
+  if (went_on) {
+    pair.count += result.moved;
+  } else {
+    pair.counted = pair.cycles.running();
+    pair.fixed = false;
+    pair.count = result.cycles;
+    tracker.set_floating(reading.source);
+  }
+  if (pair.counted) {
+    tracker.update(reading.source, step, reading.phase_range + static_cast<double>(pair.count) * wavelength_, fine,
+                   !pair.fixed);
+  }
+  if (!pair.fixed) {
+    tracker.update(reading.source, step, reading.envelope_range, parameters_.caution * reading.envelope_variance);
+  }
+}
+
+CycleResult RangeResolver::resolve(double phase_variance, const TrackerStep& step,
+                                   const RangeTracker::Expectation& expected,
+                                   const std::optional<RangePrediction>& told, const RangeReading& reading,
+                                   Followed& followed) const {
+  Followed::Pair& pair = followed.pairs[static_cast<std::size_t>(reading.source)];
+  const double dt = step.source.time_s - pair.time_s;
+  if (pair.cycles.running() && std::abs(dt) < kPairForgets) {
+    const double jerk = std::sqrt(std::max(0.0, followed.tracker.jerk_sum() - pair.jerk_sum) / std::abs(dt));
+    pair.cycles.advance(dt, RangeTracker::memory_s(), jerk, RangeTracker::velocity_walk(),
+                        followed.tracker.wander_sum(reading.source) - pair.wander_sum);
+  } else {
+    Eigen::Matrix3d P = 1.5 * expected.P;
+    P(0, 0) += 0.25e-6;
+    P(1, 1) += 1e-4;
+    P(2, 2) += 0.04;
+    pair.cycles.start(P);
+    pair.counted = pair.fixed = false;
+  }
+  pair.time_s = step.source.time_s;
+  pair.jerk_sum = followed.tracker.jerk_sum();
+  pair.wander_sum = followed.tracker.wander_sum(reading.source);
+  pair.place = step.source.place;
+  CycleReading r;
+  r.nominal = expected.range;
+  r.envelope = reading.envelope_range;
+  r.envelope_variance = parameters_.caution * reading.envelope_variance + phase_variance;
+  r.phase = reading.phase_range;
+  r.phase_variance = phase_variance;
+  if (told && told->variance < 1e3 && told->variance >= 0.0) {
+    r.told = told->range;
+    r.told_variance = told->variance;
+  }
+  return pair.cycles.take(r);
+}
+
+// Wrong whole cycles show as a mean difference to the envelope, which has none.
+void RangeResolver::watch(const RangeReading& reading) {
+  const double weight = 1.0 / reading.envelope_variance;
+  slip_.mean = 0.95 * slip_.mean + weight * (reading.envelope_range - reading.range);
+  slip_.weight = 0.95 * slip_.weight + weight;
+  const double mean = slip_.mean / slip_.weight;
+  const double sd = 1.0 / std::sqrt(slip_.weight);
+  if (std::abs(mean) > 3e-3 && std::abs(mean) > kDoubt * sd) {
+    followed_.tracker.doubt();
+    for (Followed::Pair& pair : followed_.pairs) {
+      pair.cycles.stop();
+      pair.counted = pair.fixed = false;
+    }
+    slip_ = {};
+  }
+}
+
+void RangeResolver::by_paper(const HeardSlot& heard, const TrackerStep& step, RangeTracker& tracker,
+                             RangeReading& reading) const {
+  if (!heard.steepest) {
+    return;
+  }
+  const RangingSource& source = format_.sources[static_cast<std::size_t>(heard.source)];
+  const double c = format_.speed_of_sound;
+  reading.range = reading.envelope_range = c * (heard.steepest->delay_s - source.delay_s);
+  reading.flight_s = reading.range / c;
+  const auto expected = tracker.expect(reading.source, step.source);
+  const Direction towards =
+      expected ? Direction{expected->angle, std::min(kNowhere, expected->angle_sd)} : Direction{0.0, kNowhere};
+  weigh(source, reading.range, heard.steepest->peak, heard.noise, towards, reading);
+  // σ of 2.5 mm at 25 dB, and in inverse proportion to the amplitude.
+  const double sd = 2.5e-3 * std::pow(10.0, (25.0 - std::min(45.0, reading.snr_db)) / 20.0);
+  reading.variance = reading.envelope_variance = sd * sd + kSystematic * kSystematic;
+  reading.factors.continuity = 1.0;
+  if (expected) {
+    const double z =
+        std::abs(reading.range - expected->range) / std::sqrt(expected->variance + reading.variance + 1e-6);
+    reading.factors.continuity = z <= kSurprise ? 1.0 : std::pow(kSurprise / z, 4);
+  }
+  if (reading.factors.strength < parameters_.least_confidence) {
+    reading.verdict = RangeVerdict::kTooWeak;
+  } else if (reading.range > source.reach || reading.range < 0.0 ||
+             reading.confidence() < parameters_.least_confidence) {
+    reading.verdict = RangeVerdict::kInconsistent;
+    tracker.contradict();
+  } else {
+    reading.verdict = RangeVerdict::kAccepted;
+    tracker.update(reading.source, step.source, reading.range, reading.variance);
+    tracker.collect(reading.source, step.source, reading.range, reading.variance);
+  }
+}
+
+std::vector<RangeReading> RangeResolver::take() {
+  std::vector<RangeReading> readings;
+  std::swap(readings, readings_);
+  return readings;
+}
+
+}  // namespace limbwave::decode

@@ -1,0 +1,16 @@
+// Compiled for AVX-512 with fused operations.
+#include "estimate/covariance_kernel.h"
+
+namespace limbwave::estimate {
+namespace {
+#define LIMBWAVE_LANES 8
+#include "estimate/covariance_kernel.inc"
+}  // namespace
+
+const CovarianceKernel& avx512_covariance_kernel();
+const CovarianceKernel& avx512_covariance_kernel() {
+  static constexpr CovarianceKernel kernel{downdate, multiply1, multiply3, subtract, mix_rows};
+  return kernel;
+}
+
+}  // namespace limbwave::estimate
