@@ -85,7 +85,7 @@ TEST(Skeleton, IsTheSameInEveryUnit) {
   const auto metres = load_skeleton("body");
   ASSERT_TRUE(metres.ok());
   for (const auto& [suffix, per_metre] : {std::pair{"_mm", 1000.0}, {"_cm", 100.0}}) {
-    nlohmann::json json = skeleton_to_json(*metres);
+    nlohmann::json scaled = skeleton_to_json(*metres);
     const std::function<void(nlohmann::json&)> rename = [&](nlohmann::json& value) {
       if (value.is_object()) {
         nlohmann::json renamed = nlohmann::json::object();
@@ -111,8 +111,8 @@ TEST(Skeleton, IsTheSameInEveryUnit) {
         }
       }
     };
-    rename(json);
-    const auto read = skeleton_from_json(json, "test");
+    rename(scaled);
+    const auto read = skeleton_from_json(scaled, "test");
     ASSERT_TRUE(read.ok()) << read.error().text();
     ASSERT_EQ(read->segments.size(), metres->segments.size());
     EXPECT_NEAR(read->height, metres->height, 1e-12);
