@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
     <name>CalibrationWords</name>
@@ -410,7 +411,7 @@
         <translation>aus dem Audioprogramm neu ausgeben, mit 16 oder 24 Bit</translation>
     </message>
     <message>
-        <source>raw samples are little-endian, as the program's own</source>
+        <source>raw samples are little-endian, as the program&apos;s own</source>
         <translation>Rohwerte sind little-endian wie die des Programms</translation>
     </message>
     <message>
@@ -566,7 +567,7 @@
         <translation>da ist nur Netzbrummen mit %1 Hz, auf keinem Kanal ein Zähler</translation>
     </message>
     <message>
-        <source>Push the plug in fully, check the cable's ground and that the board is switched on</source>
+        <source>Push the plug in fully, check the cable&apos;s ground and that the board is switched on</source>
         <translation>Den Stecker ganz hineinschieben, die Masse des Kabels prüfen und ob die Platine eingeschaltet ist</translation>
     </message>
     <message>
@@ -586,11 +587,11 @@
         <translation>Mindestens eine Sekunde aufnehmen</translation>
     </message>
     <message>
-        <source>the counter is there, but the %1 channel carries no sensor values (its slots differ by %2 % of the counter's swing)</source>
+        <source>the counter is there, but the %1 channel carries no sensor values (its slots differ by %2 % of the counter&apos;s swing)</source>
         <translation>der Zähler ist da, aber der Kanal %1 führt keine Sensorwerte (seine Zeitfächer unterscheiden sich um %2 % des Zählerhubs)</translation>
     </message>
     <message>
-        <source>Check the cable's other channel and the balance control</source>
+        <source>Check the cable&apos;s other channel and the balance control</source>
         <translation>Den anderen Kanal des Kabels und den Balanceregler prüfen</translation>
     </message>
     <message>
@@ -610,7 +611,7 @@
         <translation>links und rechts sind vertauscht: der Zähler liegt auf dem linken Kanal</translation>
     </message>
     <message>
-        <source>Nothing is lost, they are exchanged back; exchange the plugs, or set this in the rig's line settings</source>
+        <source>Nothing is lost, they are exchanged back; exchange the plugs, or set this in the rig&apos;s line settings</source>
         <translation>Nichts ist verloren, sie werden zurückgetauscht; die Stecker tauschen oder es in den Leitungseinstellungen des Rigs festlegen</translation>
     </message>
     <message>
@@ -670,7 +671,7 @@
         <translation>Den Eingangspegel herunterdrehen, bis der Zähler etwa zwei Drittel der Vollaussteuerung erreicht</translation>
     </message>
     <message>
-        <source>the reference level, which should stand still, moves by %1 % of the counter's swing: there is hum on the sensor channel</source>
+        <source>the reference level, which should stand still, moves by %1 % of the counter&apos;s swing: there is hum on the sensor channel</source>
         <translation>der Referenzpegel, der stillstehen sollte, bewegt sich um %1 % des Zählerhubs: auf dem Sensorkanal brummt es</translation>
     </message>
     <message>
@@ -690,7 +691,7 @@
         <translation>der Zählerkanal änderte sich um den Faktor %1, der Sensorkanal nicht</translation>
     </message>
     <message>
-        <source>the input level changed by a factor of %1; values are scaled back by the counter's swing</source>
+        <source>the input level changed by a factor of %1; values are scaled back by the counter&apos;s swing</source>
         <translation>der Eingangspegel änderte sich um den Faktor %1; die Werte werden mit dem Zählerhub zurückgerechnet</translation>
     </message>
     <message>
@@ -710,7 +711,7 @@
         <translation>gerade und um eins größer als das Dreifache der Sensorzahl: 4, 10, 16, 22 oder 28</translation>
     </message>
     <message>
-        <source>is "%1", which is no accelerometer of this rig</source>
+        <source>is &quot;%1&quot;, which is no accelerometer of this rig</source>
         <translation>ist „%1“, das ist kein Beschleunigungssensor dieses Rigs</translation>
     </message>
     <message>
@@ -726,7 +727,7 @@
         <translation>hat %1 Einträge, aber %2 Zeitfächer tragen %3 Sensoren</translation>
     </message>
     <message>
-        <source>is "%1", which is no segment of skeleton "%2"</source>
+        <source>is &quot;%1&quot;, which is no segment of skeleton &quot;%2&quot;</source>
         <translation>ist „%1“, das ist kein Segment des Skeletts „%2“</translation>
     </message>
     <message>
@@ -750,7 +751,7 @@
         <translation>ist größer als maximum_deg</translation>
     </message>
     <message>
-        <source>is "%1", which another segment has already</source>
+        <source>is &quot;%1&quot;, which another segment has already</source>
         <translation>ist „%1“, so heißt schon ein anderes Segment</translation>
     </message>
     <message>
@@ -762,7 +763,7 @@
         <translation>nur das erste Segment, die Wurzel, hat keines</translation>
     </message>
     <message>
-        <source>is "%1", which no earlier segment is</source>
+        <source>is &quot;%1&quot;, which no earlier segment is</source>
         <translation>ist „%1“, so heißt kein früheres Segment</translation>
     </message>
     <message>
@@ -834,7 +835,7 @@
         <translation>die Messwerte hängen nicht von der Verstärkung ab</translation>
     </message>
     <message>
-        <source>check the sensors' offsets</source>
+        <source>check the sensors&apos; offsets</source>
         <translation>die Nullpunkte der Sensoren prüfen</translation>
     </message>
     <message>
@@ -850,7 +851,7 @@
         <translation>die Verstärkung ist um %1 % unsicher</translation>
     </message>
     <message>
-        <source>calibrate the sensors' range, then hold still in several poses</source>
+        <source>calibrate the sensors&apos; range, then hold still in several poses</source>
         <translation>den Bereich der Sensoren kalibrieren, dann in mehreren Posen stillhalten</translation>
     </message>
     <message>
@@ -882,7 +883,7 @@
         <translation>die Pose zwei Sekunden lang halten, ohne sich zu bewegen</translation>
     </message>
     <message>
-        <source>hold first "%1", then "%2"</source>
+        <source>hold first &quot;%1&quot;, then &quot;%2&quot;</source>
         <translation>zuerst „%1“ halten, dann „%2“</translation>
     </message>
     <message>
@@ -902,7 +903,7 @@
         <translation>zwei Posen</translation>
     </message>
     <message>
-        <source>repeat: this sensor's gravity turned by %1° between the poses, not by 90°</source>
+        <source>repeat: this sensor&apos;s gravity turned by %1° between the poses, not by 90°</source>
         <translation>wiederholen: die Schwerkraft dieses Sensors drehte sich zwischen den Posen um %1°, nicht um 90°</translation>
     </message>
     <message>
@@ -926,7 +927,7 @@
         <translation>sitzt um %1° anders, als es das Rig zeigt</translation>
     </message>
     <message>
-        <source>if it is not mounted that way on purpose, two of its axes may be swapped or its slot may be another's</source>
+        <source>if it is not mounted that way on purpose, two of its axes may be swapped or its slot may be another&apos;s</source>
         <translation>wenn der Sensor nicht absichtlich so sitzt, sind vielleicht zwei Achsen vertauscht, oder sein Zeitfach gehört einem anderen</translation>
     </message>
     <message>
@@ -998,7 +999,7 @@
         <translation>Achse %1 hängt fest: sie bewegte sich nur um %2 g, während die anderen sich drehten</translation>
     </message>
     <message>
-        <source>check this axis's wire and solder joint</source>
+        <source>check this axis&apos;s wire and solder joint</source>
         <translation>Leitung und Lötstelle dieser Achse prüfen</translation>
     </message>
     <message>
@@ -1014,7 +1015,7 @@
         <translation>Achse %1 bleibt bei %2 g stehen: ihr Signal ist übersteuert</translation>
     </message>
     <message>
-        <source>lower the recording level, or check the sensor's supply</source>
+        <source>lower the recording level, or check the sensor&apos;s supply</source>
         <translation>den Aufnahmepegel senken oder die Versorgung des Sensors prüfen</translation>
     </message>
     <message>
@@ -1058,7 +1059,7 @@
         <translation>Nullpunkt %1 g und Empfindlichkeit %2 bis %3 sind nicht die dieses Sensors</translation>
     </message>
     <message>
-        <source>check the rig's sensitivity and zero, the volume and the balance</source>
+        <source>check the rig&apos;s sensitivity and zero, the volume and the balance</source>
         <translation>Empfindlichkeit und Nullpunkt des Rigs, Lautstärke und Balance prüfen</translation>
     </message>
     <message>
@@ -1202,7 +1203,7 @@
         <translation>den Ordner eines Takes angeben, oder mit `limbwave record` oder `limbwave import` einen machen</translation>
     </message>
     <message>
-        <source>is missing; the samples are there, and the rig is taken to be "%1"</source>
+        <source>is missing; the samples are there, and the rig is taken to be &quot;%1&quot;</source>
         <translation>fehlt; die Abtastwerte sind da, und als Rig wird „%1“ angenommen</translation>
     </message>
     <message>
@@ -1266,7 +1267,7 @@
         <translation>nach dem letzten Abtastzeitpunkt des Takes folgen %1 Bytes</translation>
     </message>
     <message>
-        <source>segment "%1" reaches beyond the end of the take</source>
+        <source>segment &quot;%1&quot; reaches beyond the end of the take</source>
         <translation>Abschnitt „%1“ reicht über das Ende des Takes hinaus</translation>
     </message>
     <message>
@@ -1278,11 +1279,11 @@
         <translation>%1 Ereignisse liegen hinter dem Ende des Takes</translation>
     </message>
     <message>
-        <source>the rig is worn by skeleton "%1", but the snapshot is of "%2"</source>
+        <source>the rig is worn by skeleton &quot;%1&quot;, but the snapshot is of &quot;%2&quot;</source>
         <translation>das Rig wird vom Skelett „%1“ getragen, die Momentaufnahme ist aber von „%2“</translation>
     </message>
     <message>
-        <source>sensor "%1" sits on "%2", which is no segment of the skeleton</source>
+        <source>sensor &quot;%1&quot; sits on &quot;%2&quot;, which is no segment of the skeleton</source>
         <translation>Sensor „%1“ sitzt auf „%2“, das ist kein Segment des Skeletts</translation>
     </message>
     <message>
@@ -1334,7 +1335,7 @@
         <translation>der Take ist mit %1 s abgeschlossen</translation>
     </message>
     <message>
-        <source>take.json was made again: the rig is taken to be "%1"</source>
+        <source>take.json was made again: the rig is taken to be &quot;%1&quot;</source>
         <translation>take.json wurde neu gemacht: als Rig wird „%1“ angenommen</translation>
     </message>
     <message>
@@ -1378,7 +1379,7 @@
         <translation>wurde inzwischen kürzer</translation>
     </message>
     <message>
-        <source>is too short to find the multiplexer's clock in it</source>
+        <source>is too short to find the multiplexer&apos;s clock in it</source>
         <translation>ist zu kurz, um darin den Takt des Multiplexers zu finden</translation>
     </message>
     <message>
@@ -1506,7 +1507,7 @@
         <translation>prüfen, ob Sie in den Take schreiben dürfen</translation>
     </message>
     <message>
-        <source>has no solve "%1"</source>
+        <source>has no solve &quot;%1&quot;</source>
         <translation>hat keine Berechnung „%1“</translation>
     </message>
     <message>
@@ -1530,7 +1531,7 @@
         <translation>die Gliedmaßenkalibrierung schlug fehl: %1</translation>
     </message>
     <message>
-        <source>from the take's own calibration: range of %1 of %2 sensors (residual at most %3 g), mounting of %4 (poses at most %5° from perpendicular)</source>
+        <source>from the take&apos;s own calibration: range of %1 of %2 sensors (residual at most %3 g), mounting of %4 (poses at most %5° from perpendicular)</source>
         <translation>aus der Kalibrierung im Take: Bereich von %1 von %2 Sensoren (Rest höchstens %3 g), Befestigung von %4 (Posen höchstens %5° vom rechten Winkel)</translation>
     </message>
     <message>
@@ -1594,7 +1595,7 @@
         <translation>Mit 44100 Abtastwerten pro Sekunde oder mehr aufnehmen</translation>
     </message>
     <message>
-        <source>there is %1 Hz mains hum on the sensor channel, %2 % of the counter's swing; it is taken out as far as it is steady</source>
+        <source>there is %1 Hz mains hum on the sensor channel, %2 % of the counter&apos;s swing; it is taken out as far as it is steady</source>
         <translation>auf dem Sensorkanal ist Netzbrummen mit %1 Hz, %2 % des Zählerhubs; es wird entfernt, soweit es gleichmäßig ist</translation>
     </message>
     <message>
@@ -1602,7 +1603,7 @@
         <translation>ist für zwei Sensoren eingetragen</translation>
     </message>
     <message>
-        <source>serial "%1"</source>
+        <source>serial &quot;%1&quot;</source>
         <translation>Seriennummer „%1“</translation>
     </message>
     <message>
@@ -1614,7 +1615,7 @@
         <translation>%1, aber keine von %2</translation>
     </message>
     <message>
-        <source>the calibration library has nothing for rig "%1" on %2</source>
+        <source>the calibration library has nothing for rig &quot;%1&quot; on %2</source>
         <translation>die Kalibrierungsbibliothek hat nichts für das Rig „%1“ an %2</translation>
     </message>
     <message>
@@ -1674,7 +1675,7 @@
         <translation>noch einmal vom Aufnahmegerät kopieren oder nehmen, was da ist</translation>
     </message>
     <message>
-        <source>the calibration has "%1" where the rig has "%2"</source>
+        <source>the calibration has &quot;%1&quot; where the rig has &quot;%2&quot;</source>
         <translation>die Kalibrierung hat „%1“, wo das Rig „%2“ hat</translation>
     </message>
     <message>
@@ -1706,7 +1707,7 @@
         <translation>wurde gerade ersetzt und ist wiederhergestellt</translation>
     </message>
     <message>
-        <source>segment "%1" reached beyond the end of the take and was shortened</source>
+        <source>segment &quot;%1&quot; reached beyond the end of the take and was shortened</source>
         <translation>der Abschnitt „%1“ reichte über das Ende des Takes hinaus und wurde gekürzt</translation>
     </message>
     <message>
@@ -1726,7 +1727,7 @@
         <translation>ein Fach der Platine dauert nur %1 Abtastwerte bei %2 Abtastwerten je Sekunde</translation>
     </message>
     <message>
-        <source>record at %1 at least, or correct the rig's cycle rate</source>
+        <source>record at %1 at least, or correct the rig&apos;s cycle rate</source>
         <translation>mit mindestens %1 aufnehmen oder die Zyklusrate des Rigs berichtigen</translation>
     </message>
     <message>
@@ -1750,7 +1751,7 @@
         <translation>Kabel und Stecker prüfen</translation>
     </message>
     <message>
-        <source>sits on "%1", which is no segment of the skeleton, and is left out</source>
+        <source>sits on &quot;%1&quot;, which is no segment of the skeleton, and is left out</source>
         <translation>sitzt an „%1“, das kein Segment des Skeletts ist, und wird weggelassen</translation>
     </message>
     <message>
@@ -1770,7 +1771,7 @@
         <translation>die Posen noch einmal halten, still und genau: limbwave calibrate limb</translation>
     </message>
     <message>
-        <source>the take's own %1 calibration is poor: %2</source>
+        <source>the take&apos;s own %1 calibration is poor: %2</source>
         <translation>die eigene %1-Kalibrierung des Takes ist schlecht: %2</translation>
     </message>
     <message>
@@ -1786,7 +1787,7 @@
         <translation>liegt mehr als 10 m entfernt</translation>
     </message>
     <message>
-        <source>is "%1", which another %2 has already</source>
+        <source>is &quot;%1&quot;, which another %2 has already</source>
         <translation>ist „%1“, was schon ein anderer Eintrag hat (%2)</translation>
     </message>
     <message>
@@ -1810,7 +1811,7 @@
         <translation>hat %1 Einträge, aber %2 Mikrofone haben je eine Leitung</translation>
     </message>
     <message>
-        <source>is "%1", but the microphone of this wire is "%2"</source>
+        <source>is &quot;%1&quot;, but the microphone of this wire is &quot;%2&quot;</source>
         <translation>ist „%1“, aber das Mikrofon dieser Leitung ist „%2“</translation>
     </message>
     <message>
@@ -1858,7 +1859,7 @@
         <translation>nennt nicht jede Stelle des Rigs genau einmal</translation>
     </message>
     <message>
-        <source>the sensors' places</source>
+        <source>the sensors&apos; places</source>
         <translation>die Stellen der Sensoren</translation>
     </message>
     <message>
@@ -1890,7 +1891,7 @@
         <translation>ist keine serielle Schnittstelle</translation>
     </message>
     <message>
-        <source>check the cable, and the port's name</source>
+        <source>check the cable, and the port&apos;s name</source>
         <translation>prüfen Sie das Kabel und den Namen der Schnittstelle</translation>
     </message>
     <message>
@@ -1906,7 +1907,7 @@
         <translation>die Treiberbox antwortet nicht mehr; es wird auf sie gewartet</translation>
     </message>
     <message>
-        <source>the driver box was switched on again; the length of the gap is by the computer's clock</source>
+        <source>the driver box was switched on again; the length of the gap is by the computer&apos;s clock</source>
         <translation>die Treiberbox wurde wieder eingeschaltet; die Länge der Lücke kommt von der Uhr des Rechners</translation>
     </message>
     <message>
@@ -1926,7 +1927,7 @@
         <translation>antwortet nicht wie eine Treiberbox</translation>
     </message>
     <message>
-        <source>check that it is the box's port, and that it is on</source>
+        <source>check that it is the box&apos;s port, and that it is on</source>
         <translation>prüfen Sie, ob es die Schnittstelle der Box ist und ob sie eingeschaltet ist</translation>
     </message>
     <message>
@@ -1946,7 +1947,7 @@
         <translation>hat keine Treiberbox</translation>
     </message>
     <message>
-        <source>rig "%1"</source>
+        <source>rig &quot;%1&quot;</source>
         <translation>Rig „%1“</translation>
     </message>
     <message>
@@ -1966,7 +1967,7 @@
         <translation>Treiberbox %1, %2</translation>
     </message>
     <message>
-        <source>the box's battery is down to %1 V</source>
+        <source>the box&apos;s battery is down to %1 V</source>
         <translation>die Batterie der Box ist auf %1 V gesunken</translation>
     </message>
     <message>
@@ -1998,7 +1999,7 @@
         <translation>geben Sie einen an oder lassen Sie die Wurzel frei</translation>
     </message>
     <message>
-        <source>"%1" moved in the first second: its gyroscope's bias is not known</source>
+        <source>&quot;%1&quot; moved in the first second: its gyroscope&apos;s bias is not known</source>
         <translation>„%1“ hat sich in der ersten Sekunde bewegt: die Nullpunktabweichung seines Kreisels ist unbekannt</translation>
     </message>
     <message>
@@ -2010,7 +2011,7 @@
         <translation>berichtigen Sie die Zeile</translation>
     </message>
     <message>
-        <source>has no column "sensor", and the rig has several</source>
+        <source>has no column &quot;sensor&quot;, and the rig has several</source>
         <translation>hat keine Spalte „sensor“, und das Rig hat mehrere</translation>
     </message>
     <message>
@@ -2022,7 +2023,7 @@
         <translation>hat eine Zelle, die keine Zahl ist</translation>
     </message>
     <message>
-        <source>names the sensor "%1", which the rig lacks</source>
+        <source>names the sensor &quot;%1&quot;, which the rig lacks</source>
         <translation>nennt den Sensor „%1“, den das Rig nicht hat</translation>
     </message>
     <message>
@@ -2034,7 +2035,7 @@
         <translation>ist früher als die Zeile davor</translation>
     </message>
     <message>
-        <source>names "%1", which the rig lacks</source>
+        <source>names &quot;%1&quot;, which the rig lacks</source>
         <translation>nennt „%1“, was das Rig nicht hat</translation>
     </message>
     <message>
@@ -2042,7 +2043,7 @@
         <translation>benennen Sie Quellen und Empfänger wie im Rig</translation>
     </message>
     <message>
-        <source>has no column "%1"</source>
+        <source>has no column &quot;%1&quot;</source>
         <translation>hat keine Spalte „%1“</translation>
     </message>
     <message>
@@ -2062,7 +2063,7 @@
         <translation>hat weniger als zwei Posen</translation>
     </message>
     <message>
-        <source>check the columns and the segment's name</source>
+        <source>check the columns and the segment&apos;s name</source>
         <translation>prüfen Sie die Spalten und den Namen des Segments</translation>
     </message>
     <message>
@@ -2070,11 +2071,11 @@
         <translation>hat weder die Spalten von Inertialmesswerten noch die von Entfernungen</translation>
     </message>
     <message>
-        <source>see "Plain files for other people's sensors" in the manual</source>
-        <translation>siehe „Plain files for other people's sensors“ im Handbuch</translation>
+        <source>see &quot;Plain files for other people&apos;s sensors&quot; in the manual</source>
+        <translation>siehe „Plain files for other people&apos;s sensors“ im Handbuch</translation>
     </message>
     <message>
-        <source>has no column "time_s"</source>
+        <source>has no column &quot;time_s&quot;</source>
         <translation>hat keine Spalte „time_s“</translation>
     </message>
     <message>
@@ -2114,7 +2115,7 @@
         <translation>ihre erste Zeile benennt die Spalten</translation>
     </message>
     <message>
-        <source>this version reads "line-in", "driver-box" and "log"</source>
+        <source>this version reads &quot;line-in&quot;, &quot;driver-box&quot; and &quot;log&quot;</source>
         <translation>diese Version liest „line-in“, „driver-box“ und „log“</translation>
     </message>
     <message>
@@ -2122,7 +2123,7 @@
         <translation>hat keine Wahrheit</translation>
     </message>
     <message>
-        <source>give the root's path as a CSV file</source>
+        <source>give the root&apos;s path as a CSV file</source>
         <translation>geben Sie den Weg der Wurzel als CSV-Datei an</translation>
     </message>
     <message>
@@ -2130,7 +2131,7 @@
         <translation>sagt nicht, wo die Wurzel war</translation>
     </message>
     <message>
-        <source>%1 % of %2 readings of "%3" contradict all others</source>
+        <source>%1 % of %2 readings of &quot;%3&quot; contradict all others</source>
         <translation>%1 % von %2 Messwerten von „%3“ widersprechen allen anderen</translation>
     </message>
     <message>
@@ -2138,7 +2139,7 @@
         <translation>prüfen Sie, wo er getragen wird, und seine Kalibrierung</translation>
     </message>
     <message>
-        <source>%1 % of %2 readings of "%3" are beyond its range</source>
+        <source>%1 % of %2 readings of &quot;%3&quot; are beyond its range</source>
         <translation>%1 % von %2 Messwerten von „%3“ liegen außerhalb seines Messbereichs</translation>
     </message>
     <message>
@@ -2210,7 +2211,7 @@
         <translation>%1 Abtastwerte gingen verloren: %2</translation>
     </message>
     <message>
-        <source>the sound card was away; by the computer's clock</source>
+        <source>the sound card was away; by the computer&apos;s clock</source>
         <translation>die Soundkarte war fort; nach der Uhr des Rechners</translation>
     </message>
     <message>
@@ -2258,7 +2259,7 @@
         <translation>hat nicht die Länge 1</translation>
     </message>
     <message>
-        <source>is not "body-filter-state"</source>
+        <source>is not &quot;body-filter-state&quot;</source>
         <translation>ist nicht „body-filter-state“</translation>
     </message>
     <message>
@@ -2298,7 +2299,7 @@
         <translation>geben Sie ihm Segmente, die den Boden erreichen, oder berechnen Sie mit einer anderen Wurzel</translation>
     </message>
     <message>
-        <source>"%1" never stood: its contacts do not hold the root</source>
+        <source>&quot;%1&quot; never stood: its contacts do not hold the root</source>
         <translation>„%1“ stand nie: seine Kontakte halten die Wurzel nicht</translation>
     </message>
     <message>
@@ -2306,11 +2307,11 @@
         <translation>prüfen Sie seinen Sensor, oder berechnen Sie mit einer anderen Wurzel</translation>
     </message>
     <message>
-        <source>"%1" stood %2 times, %3 s in all</source>
+        <source>&quot;%1&quot; stood %2 times, %3 s in all</source>
         <translation>„%1“ stand %2-mal, insgesamt %3 s</translation>
     </message>
     <message>
-        <source> and "</source>
+        <source> and &quot;</source>
         <translation> und „</translation>
     </message>
     <message>
@@ -2334,7 +2335,7 @@
         <translation>beginnen Sie mit einer Sekunde Stillstand in der Ruhepose</translation>
     </message>
     <message>
-        <source>"%1" feels gravity %2° away from where it should be in the rest pose</source>
+        <source>&quot;%1&quot; feels gravity %2° away from where it should be in the rest pose</source>
         <translation>„%1“ spürt die Schwerkraft %2° neben der Richtung, die sie in der Ruhepose haben müsste</translation>
     </message>
     <message>
@@ -2410,7 +2411,7 @@
         <translation>Suche nach vertauschten Sensoren</translation>
     </message>
     <message>
-        <source>"%1" and "%2" are exchanged: solved as if each were in the other's place</source>
+        <source>&quot;%1&quot; and &quot;%2&quot; are exchanged: solved as if each were in the other&apos;s place</source>
         <translation>„%1“ und „%2“ sind vertauscht: berechnet, als säße jeder am Platz des anderen</translation>
     </message>
     <message>
@@ -2418,7 +2419,7 @@
         <translation>tauschen Sie sie oder ihre Leitungen vor der nächsten Aufnahme</translation>
     </message>
     <message>
-        <source>"%1" is mounted the wrong way round: solved as if turned by 180° about its %2 axis</source>
+        <source>&quot;%1&quot; is mounted the wrong way round: solved as if turned by 180° about its %2 axis</source>
         <translation>„%1“ sitzt verkehrt: berechnet, als wäre er um 180° um seine %2-Achse gedreht</translation>
     </message>
     <message>
@@ -2426,11 +2427,11 @@
         <translation>drehen Sie ihn um, oder tragen Sie es im Rig ein</translation>
     </message>
     <message>
-        <source>the root's place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)</source>
+        <source>the root&apos;s place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)</source>
         <translation>der Ort der Wurzel ist am Ende um %1 m über dem Boden und %2 m in der Höhe unsicher (1 σ)</translation>
     </message>
     <message>
-        <source>choose --root contacts for somebody who walks, or give the root's path</source>
+        <source>choose --root contacts for somebody who walks, or give the root&apos;s path</source>
         <translation>wählen Sie --root contacts für jemanden, der geht, oder geben Sie den Weg der Wurzel an</translation>
     </message>
     <message>
@@ -2452,6 +2453,70 @@
     <message>
         <source>does not name every segment at every time</source>
         <translation>nennt nicht zu jeder Zeit jedes Segment</translation>
+    </message>
+    <message>
+        <source>has fewer cells than the header</source>
+        <translation>hat weniger Zellen als die Kopfzeile</translation>
+    </message>
+    <message>
+        <source>complete the line; cells may be empty</source>
+        <translation>vervollständigen Sie die Zeile; Zellen dürfen leer sein</translation>
+    </message>
+    <message>
+        <source>has a range that is not positive</source>
+        <translation>hat eine Entfernung, die nicht positiv ist</translation>
+    </message>
+    <message>
+        <source>has a confidence that is not from 0 to 1</source>
+        <translation>hat ein Vertrauen, das nicht zwischen 0 und 1 liegt</translation>
+    </message>
+    <message>
+        <source>this computer is too slow for the live picture, which has left something out</source>
+        <translation>dieser Rechner ist zu langsam für das Livebild, das etwas ausgelassen hat</translation>
+    </message>
+    <message>
+        <source>the recording is whole: solve it afterwards</source>
+        <translation>die Aufnahme ist vollständig: berechnen Sie sie danach</translation>
+    </message>
+    <message>
+        <source>a session runs only once</source>
+        <translation>eine Sitzung läuft nur einmal</translation>
+    </message>
+    <message>
+        <source>make another</source>
+        <translation>legen Sie eine andere an</translation>
+    </message>
+    <message>
+        <source>is no rig of this driver box</source>
+        <translation>ist kein Rig dieser Driver-Box</translation>
+    </message>
+    <message>
+        <source>cannot be known while recording</source>
+        <translation>kann während der Aufnahme nicht bekannt sein</translation>
+    </message>
+    <message>
+        <source>root &quot;%1&quot;</source>
+        <translation>Wurzel „%1“</translation>
+    </message>
+    <message>
+        <source>choose free, fixed or contacts</source>
+        <translation>wählen Sie free, fixed oder contacts</translation>
+    </message>
+    <message>
+        <source>no session runs</source>
+        <translation>keine Sitzung läuft</translation>
+    </message>
+    <message>
+        <source>start one</source>
+        <translation>starten Sie eine</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>nichts wurde aufgenommen</translation>
+    </message>
+    <message>
+        <source>start with the folder of a take</source>
+        <translation>starten Sie mit dem Ordner eines Takes</translation>
     </message>
 </context>
 <context>
@@ -2626,7 +2691,7 @@
         <translation>Die Knochen heißen wie in %1.</translation>
     </message>
     <message>
-        <source>Every bone has the world's axes.</source>
+        <source>Every bone has the world&apos;s axes.</source>
         <translation>Jeder Knochen hat die Achsen der Welt.</translation>
     </message>
     <message>
@@ -2706,7 +2771,7 @@
         <translation>%1 findet die Gelenke einer Figur an der T-Pose in Bild 0.</translation>
     </message>
     <message>
-        <source>The bones do not look like a person's: they keep their names and their rest pose.</source>
+        <source>The bones do not look like a person&apos;s: they keep their names and their rest pose.</source>
         <translation>Die Knochen sehen nicht nach einem Menschen aus: Sie behalten ihre Namen und ihre Ruhepose.</translation>
     </message>
     <message>
@@ -2753,7 +2818,7 @@
         <translation>Der Take braucht einen Namen.</translation>
     </message>
     <message>
-        <source>A take's name has no slash and does not start with a dot.</source>
+        <source>A take&apos;s name has no slash and does not start with a dot.</source>
         <translation>Der Name eines Takes enthält keinen Schrägstrich und beginnt nicht mit einem Punkt.</translation>
     </message>
     <message>
@@ -2795,11 +2860,11 @@
         <translation>vom Sensor bis zum Bildschirm im Mittel %1 ms, bei 95 % %2 ms, höchstens %3 ms</translation>
     </message>
     <message>
-        <source>From the board's reading of its oldest sensor to the finished picture: %1 ms on average, %2 ms for 95 of 100 poses, %3 ms at most (%4 poses).</source>
+        <source>From the board&apos;s reading of its oldest sensor to the finished picture: %1 ms on average, %2 ms for 95 of 100 poses, %3 ms at most (%4 poses).</source>
         <translation>Vom Ablesen des ältesten Sensors auf der Platine bis zum fertigen Bild: im Mittel %1 ms, bei 95 von 100 Posen %2 ms, höchstens %3 ms (%4 Posen).</translation>
     </message>
     <message>
-        <source>From the board's reading of its oldest sensor to the solved pose (nothing is drawn): %1 ms on average, %2 ms for 95 of 100 poses, %3 ms at most (%4 poses).</source>
+        <source>From the board&apos;s reading of its oldest sensor to the solved pose (nothing is drawn): %1 ms on average, %2 ms for 95 of 100 poses, %3 ms at most (%4 poses).</source>
         <translation>Vom Ablesen des ältesten Sensors auf der Platine bis zur berechneten Pose (gezeichnet wird nichts): im Mittel %1 ms, bei 95 von 100 Posen %2 ms, höchstens %3 ms (%4 Posen).</translation>
     </message>
     <message>
@@ -2807,7 +2872,7 @@
         <translation>Im Mittel: ein Umlauf der Platine %1 ms, Warten auf Abtastwerte %2 ms, Berechnen %3 ms, Übergabe %4 ms, Zeichnen %5 ms.</translation>
     </message>
     <message>
-        <source>Not counted: the sound card's own buffer (%1 ms) and what the screen itself needs.</source>
+        <source>Not counted: the sound card&apos;s own buffer (%1 ms) and what the screen itself needs.</source>
         <translation>Nicht mitgezählt: der Puffer der Soundkarte (%1 ms) und was der Bildschirm selbst braucht.</translation>
     </message>
 </context>
@@ -3455,7 +3520,7 @@
         <translation>kein Takt</translation>
     </message>
     <message>
-        <source>The board's clock is not heard on the right channel. Look at the scope.</source>
+        <source>The board&apos;s clock is not heard on the right channel. Look at the scope.</source>
         <translation>Der Takt der Platine ist auf dem rechten Kanal nicht zu hören. Sehen Sie auf das Oszilloskop.</translation>
     </message>
     <message>
@@ -3463,7 +3528,7 @@
         <translation>hört zu</translation>
     </message>
     <message>
-        <source>Looking for the board's clock.</source>
+        <source>Looking for the board&apos;s clock.</source>
         <translation>Sucht den Takt der Platine.</translation>
     </message>
     <message>
@@ -3471,7 +3536,7 @@
         <translation>Verzug –</translation>
     </message>
     <message>
-        <source>From the sensor to the screen, beyond the device's own buffer; known while a skeleton is shown live.</source>
+        <source>From the sensor to the screen, beyond the device&apos;s own buffer; known while a skeleton is shown live.</source>
         <translation>Vom Sensor bis zum Bildschirm, jenseits des Gerätepuffers; bekannt, solange ein Skelett live gezeigt wird.</translation>
     </message>
     <message>
@@ -3532,7 +3597,7 @@
         <translation>Sensorplatine</translation>
     </message>
     <message>
-        <source>Calibrations are kept per sensor. Name the board on %1, so that another board's are never taken for its own. Where the sensors carry serials, enter them: they then keep their calibration on any board.</source>
+        <source>Calibrations are kept per sensor. Name the board on %1, so that another board&apos;s are never taken for its own. Where the sensors carry serials, enter them: they then keep their calibration on any board.</source>
         <translation>Kalibrierungen werden je Sensor aufbewahrt. Benennen Sie die Platine an %1, damit nie die einer anderen für ihre gehalten werden. Tragen die Sensoren Seriennummern, geben Sie sie ein: Dann behalten sie ihre Kalibrierung an jeder Platine.</translation>
     </message>
     <message>
@@ -3725,7 +3790,7 @@
         <translation>Befestigung kalibrieren</translation>
     </message>
     <message>
-        <source>Use the library's calibration</source>
+        <source>Use the library&apos;s calibration</source>
         <translation>Kalibrierung der Bibliothek verwenden</translation>
     </message>
     <message>
@@ -3753,7 +3818,7 @@
         <translation> Getragen von %1.</translation>
     </message>
     <message>
-        <source>The newest of every sensor and of this wearer's mountings</source>
+        <source>The newest of every sensor and of this wearer&apos;s mountings</source>
         <translation>Die neueste jedes Sensors und der Befestigungen dieser Person</translation>
     </message>
     <message>
@@ -3773,7 +3838,7 @@
         <translation>Bereich: %1 von %3.  Befestigung: %2 von %3.</translation>
     </message>
     <message>
-        <source>Next: calibrate the range, once in a sensor's life. Uncalibrated sensors may point 6° or more beside the truth.</source>
+        <source>Next: calibrate the range, once in a sensor&apos;s life. Uncalibrated sensors may point 6° or more beside the truth.</source>
         <translation>Als Nächstes: den Bereich kalibrieren, einmal im Leben eines Sensors. Nicht kalibrierte Sensoren können um 6° und mehr danebenliegen.</translation>
     </message>
     <message>
@@ -3801,7 +3866,7 @@
         <translation>Aus einem Abschnitt eines Takes kalibrieren, in dem Sensoren gedreht oder Posen gehalten wurden</translation>
     </message>
     <message>
-        <source> What the take does not carry, its solve took from the take's own calibration movements or from the library.</source>
+        <source> What the take does not carry, its solve took from the take&apos;s own calibration movements or from the library.</source>
         <translation> Was der Take nicht mitbringt, nahm die Berechnung aus seinen eigenen Kalibrierbewegungen oder aus der Bibliothek.</translation>
     </message>
 </context>
@@ -3836,7 +3901,7 @@
         <translation>Kalibrieren</translation>
     </message>
     <message>
-        <source>Find each sensor's zero and scale, and how it sits on its limb</source>
+        <source>Find each sensor&apos;s zero and scale, and how it sits on its limb</source>
         <translation>Nullpunkt und Empfindlichkeit jedes Sensors finden, und wie er am Körper sitzt</translation>
     </message>
     <message>
@@ -3899,11 +3964,11 @@
         <translation>Die Rohsignale kommen nicht in einen eigenen Take: die Erfassung nimmt schon auf oder kann nicht aufnehmen. Die Kalibrierung selbst geht weiter.</translation>
     </message>
     <message>
-        <source>Closing the calibration's take</source>
+        <source>Closing the calibration&apos;s take</source>
         <translation>Take der Kalibrierung wird geschlossen</translation>
     </message>
     <message>
-        <source>The calibration's take has no segments</source>
+        <source>The calibration&apos;s take has no segments</source>
         <translation>Der Take der Kalibrierung hat keine Abschnitte</translation>
     </message>
     <message>
@@ -3939,7 +4004,7 @@
         <translation>Rückgängig gemacht: %1. Sie wird nicht mehr benutzt.</translation>
     </message>
     <message>
-        <source>Redo brings it back. Its file stays in the library's folder, ending in ".removed".</source>
+        <source>Redo brings it back. Its file stays in the library&apos;s folder, ending in &quot;.removed&quot;.</source>
         <translation>„Wiederholen“ bringt sie zurück. Ihre Datei bleibt im Ordner der Bibliothek und endet auf „.removed“.</translation>
     </message>
 </context>
@@ -3994,7 +4059,7 @@
         <translation>Ton testen</translation>
     </message>
     <message>
-        <source>Plays the end of a countdown through the computer's output</source>
+        <source>Plays the end of a countdown through the computer&apos;s output</source>
         <translation>Spielt das Ende eines Countdowns über den Ausgang des Rechners</translation>
     </message>
     <message>
@@ -5171,7 +5236,7 @@
         <translation>%1 %2; %3.</translation>
     </message>
     <message>
-        <source>Check: hold "%1" again</source>
+        <source>Check: hold &quot;%1&quot; again</source>
         <translation>Prüfung: noch einmal „%1“ halten</translation>
     </message>
     <message>
@@ -5187,7 +5252,7 @@
         <translation>Höchstens %1 daneben</translation>
     </message>
     <message>
-        <source>Angle between gravity as each sensor now sees it on its limb and as the pose asks for. It holds the wearer's own inexactness too.</source>
+        <source>Angle between gravity as each sensor now sees it on its limb and as the pose asks for. It holds the wearer&apos;s own inexactness too.</source>
         <translation>Winkel zwischen der Schwerkraft, wie jeder Sensor sie nun an seiner Gliedmaße sieht, und wie die Pose sie verlangt. Darin steckt auch die Ungenauigkeit der Person.</translation>
     </message>
 </context>
@@ -5471,7 +5536,7 @@
         <translation>Während der Aufnahme M drücken. Unten im Signal: Doppelklick am oberen Rand.</translation>
     </message>
     <message>
-        <source>"%1" is not a time.</source>
+        <source>&quot;%1&quot; is not a time.</source>
         <translation>„%1“ ist keine Zeit.</translation>
     </message>
     <message>
@@ -5770,7 +5835,7 @@
         <translation>Welche Sensoren?</translation>
     </message>
     <message>
-        <source>Range calibration finds each sensor's zero and scale from gravity. It is done &lt;b&gt;once in a sensor's life&lt;/b&gt;, not on the body, and takes about a minute.</source>
+        <source>Range calibration finds each sensor&apos;s zero and scale from gravity. It is done &lt;b&gt;once in a sensor&apos;s life&lt;/b&gt;, not on the body, and takes about a minute.</source>
         <translation>Die Bereichskalibrierung findet Nullpunkt und Empfindlichkeit jedes Sensors aus der Schwerkraft. Sie wird &lt;b&gt;einmal im Leben eines Sensors&lt;/b&gt; gemacht, nicht am Körper, und dauert etwa eine Minute.</translation>
     </message>
     <message>
@@ -6041,8 +6106,8 @@
         <translation>Kalibrierung des nächsten Takes</translation>
     </message>
     <message>
-        <source>%1 &lt;a href="calibrate"&gt;Calibrate&lt;/a&gt;</source>
-        <translation>%1 &lt;a href="calibrate"&gt;Kalibrieren&lt;/a&gt;</translation>
+        <source>%1 &lt;a href=&quot;calibrate&quot;&gt;Calibrate&lt;/a&gt;</source>
+        <translation>%1 &lt;a href=&quot;calibrate&quot;&gt;Kalibrieren&lt;/a&gt;</translation>
     </message>
     <message>
         <source>Record in %1 s</source>
@@ -6410,7 +6475,7 @@
         <translation>Vergleich mit der Wahrheit</translation>
     </message>
     <message>
-        <source>The saved solve could not be read. It was solved again with its keys and settings; lengths are the rig's. What could not be read is kept in the take as %1.</source>
+        <source>The saved solve could not be read. It was solved again with its keys and settings; lengths are the rig&apos;s. What could not be read is kept in the take as %1.</source>
         <translation>Die gespeicherte Berechnung war nicht lesbar. Es wurde mit ihren Schlüsseln und Einstellungen neu berechnet; die Längen sind die des Rigs. Das Unlesbare bleibt im Take als %1 erhalten.</translation>
     </message>
     <message>
@@ -6564,7 +6629,7 @@
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Where the signal comes from: a sound card's line input, or the simulator</source>
+        <source>Where the signal comes from: a sound card&apos;s line input, or the simulator</source>
         <translation>Woher das Signal kommt: der Line-Eingang einer Soundkarte oder der Simulator</translation>
     </message>
     <message>
@@ -6701,7 +6766,7 @@
         <translation>Wird berechnet…</translation>
     </message>
     <message>
-        <source>"%1" holds no readings. Choose another stretch.</source>
+        <source>&quot;%1&quot; holds no readings. Choose another stretch.</source>
         <translation>„%1“ enthält keine Messwerte. Einen anderen Abschnitt wählen.</translation>
     </message>
     <message>

@@ -17,7 +17,8 @@ struct CovarianceKernel {
                    const double* C, long n);
 };
 
-/// The best for this processor. On one processor results are always the same; between processors they agree to rounding.
+/// The best for this processor. On one processor results are always the same; between processors they agree to
+/// rounding.
 const CovarianceKernel& covariance_kernel();
 /// The one for every processor.
 const CovarianceKernel& portable_covariance_kernel();

@@ -121,7 +121,8 @@ int main(int argc, char** argv) {
         continue;
       }
       if (std::getenv("TRACE") != nullptr && i % 6 == 0) {
-        fmt::print("   {:.2f} s off {:.3f} {:.3f} {:.3f} of {:.3f}\n", run.track.times[i], off.x(), off.y(), off.z(), real.p_WL.x());
+        fmt::print("   {:.2f} s off {:.3f} {:.3f} {:.3f} of {:.3f}\n", run.track.times[i], off.x(), off.y(), off.z(),
+                   real.p_WL.x());
       }
       place.add(off.norm());
       height.add(std::abs(off.z()));

@@ -47,7 +47,6 @@ class Walk {
   BodyReadings readings;
 };
 
-
 TEST(BodyFaults, AHealthyWalkIsNotReported) {
   const Walk walk(eight_boards());
   const Walk::Outcome out = walk.solve();
