@@ -183,11 +183,11 @@ int Skeleton::find(std::string_view segment) const {
   return -1;
 }
 
-Result<Skeleton> skeleton_from_json(const nlohmann::json& file, const std::string& place) {
+Result<Skeleton> skeleton_from_json(const nlohmann::json& json, const std::string& place) {
   JsonReader::State state{place, {}};
-  nlohmann::json json = file;
-  to_metres(json);
-  const JsonReader reader(json, "", state);
+  nlohmann::json metric = json;
+  to_metres(metric);
+  const JsonReader reader(metric, "", state);
   reader.allow({"schema", "name", "height_m", "segments"});
   reader.at("schema").integer(1, 1);
   Skeleton skeleton;

@@ -60,8 +60,8 @@ class RangeTracker {
   void update(int source, const SourceStep& step, double range, double variance, bool floating = false);
   /// Begins to count cycles anew: nothing is known of n.
   void set_floating(int source);
-  /// n has become known; from then on it is none.
-  void fix(int source, double n);
+  /// n has become known to be `value`; from then on it is none.
+  void fix(int source, double value);
   /// What updates have changed since the last call, as a source at `place` sees it: range, rate, acceleration.
   struct Correction {
     Eigen::Vector3d p = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero(), a = Eigen::Vector3d::Zero();

@@ -12,6 +12,7 @@ constexpr double kLookedAt = 4.0;  // seconds
 constexpr double kSettled = 2.0;   // of these, until the start is forgotten
 constexpr double kMostNis = 2.0;   // per scalar, on average over that time; 1 where there is only white noise
 constexpr std::int64_t kLeast = 50;
+constexpr std::int64_t kLeastRanges = 200;
 
 // Mean of what was added to a count.
 bool contradicted(const ReadingCount& before, const ReadingCount& after) {
@@ -44,9 +45,10 @@ BodyFilterParameters exact_parameters(const BodyFilterParameters& parameters) {
 }
 
 bool rig_is_exact(const BodyModel& model, const BodyFilterParameters& parameters, const BodyReadings& readings) {
-  if (!parameters.use_gyroscopes || !parameters.use_accelerometers || parameters.root == RootMode::kFree ||
-      model.boards.size() < 2 || readings.inertial.empty() ||
-      (parameters.root == RootMode::kGiven && readings.root.empty())) {
+  // Inertial readings alone cannot tell: whatever one board says of its mounting, free limbs can have done.
+  if (!parameters.use_ranges || readings.ranges.size() < kLeastRanges || !parameters.use_gyroscopes ||
+      !parameters.use_accelerometers || parameters.root == RootMode::kFree || model.boards.size() < 2 ||
+      readings.inertial.empty() || (parameters.root == RootMode::kGiven && readings.root.empty())) {
     return false;
   }
   BodyFilter filter(model, exact_parameters(parameters));
@@ -73,7 +75,12 @@ bool rig_is_exact(const BodyModel& model, const BodyFilterParameters& parameters
       filter.step(instant, nullptr);
     }
   }
-  return settled && !contradicted(gyroscopes, filter.gyroscope_counts()) &&
+  std::int64_t compared = 0;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const ReadingCount& after = filter.range_counts()[i];
+    compared += after.used + after.gated - ranges[i].used - ranges[i].gated;
+  }
+  return settled && compared >= kLeastRanges && !contradicted(gyroscopes, filter.gyroscope_counts()) &&
          !contradicted(accelerometers, filter.accelerometer_counts()) && !contradicted(ranges, filter.range_counts());
 }
 

@@ -14,7 +14,8 @@ BodyFilterParameters exact_parameters(const BodyFilterParameters& parameters);
 /// True where such a filter, run over the first seconds, is contradicted by nothing: over the second half of that time
 /// the normalised innovations squared of every board and source are on average those of the sensors' white noise or
 /// less. A mounting that is off by a few tenths of a degree is told from an exact one. Needs the root to be given or
-/// fixed, gyroscopes and accelerometers; false where they are not.
+/// fixed, and all three kinds of sensors: ranges tell lengths and places, which limbs that move freely cannot explain
+/// away. False where they are not there.
 bool rig_is_exact(const BodyModel& model, const BodyFilterParameters& parameters, const BodyReadings& readings);
 
 }  // namespace limbwave::estimate

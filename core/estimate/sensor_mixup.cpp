@@ -113,6 +113,7 @@ std::vector<int> suspicious_boards(const BodyModel& model, const BodyRun& run, c
   }
   std::sort(ranked.begin(), ranked.end());
   std::vector<int> boards;
+  boards.reserve(ranked.size());
   for (const auto& [strange, board] : ranked) {
     boards.push_back(board);
   }

@@ -1,5 +1,7 @@
 #include "estimate/sensor_watch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -223,11 +225,11 @@ Diagnostics SensorWatch::findings(double end_s) const {
       const std::string until = over ? " until " + seconds(outage.end) : "";
       if (outage.kind == BoardState::kSilent) {
         found.push_back({Severity::kWarning, over ? "body.board-silent" : "body.board-died",
-                         name + " was silent " + from + until + ": the filter did without it",
+                         fmt::format("{} was silent {}{}: the filter did without it", name, from, until),
                          "check its wire and its plug", model_.boards[b].name, outage.begin});
       } else {
         found.push_back({Severity::kWarning, "body.board-frozen",
-                         name + " gave the same reading " + from + until + ": the filter did without it",
+                         fmt::format("{} gave the same reading {}{}: the filter did without it", name, from, until),
                          "its chip hangs or is broken: switch it off and on, or replace it", model_.boards[b].name,
                          outage.begin});
       }

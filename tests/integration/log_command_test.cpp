@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/files.h"
 #include "body/rig.h"
 #include "support/command_line.h"
 #include "support/pose_readings.h"
@@ -85,7 +86,7 @@ TEST_F(LogCommand, EightBoardsOnAWalkingPerson) {
   const testing_support::WalkingPerson person(*skeleton);
   write(
       *skeleton, {"pelvis", "chest", "left_thigh", "left_shin", "left_foot", "right_thigh", "right_shin", "right_foot"},
-      [&](double t) { return person.poses(t); }, 10.0, 100.0);
+      [&](double t) { return person.poses(t); }, 40.0, 100.0);
   run({"import", "walk.take", "--csv", "inertial.csv", "--rig", "rig.json", "--json"});
   run({"solve", "walk.take", "--method", "filter", "--root", "contacts", "--name", "feet", "--start", "rest",
        "--json"});
@@ -98,8 +99,11 @@ TEST_F(LogCommand, EightBoardsOnAWalkingPerson) {
   const double held = feet["segments"]["pelvis"]["position_mean_mm"].get<double>();
   const double drifted = free["segments"]["pelvis"]["position_mean_mm"].get<double>();
   std::printf("pelvis off by %.0f mm with contacts, %.0f mm free\n", held, drifted);
-  EXPECT_LT(held, 200.0);
-  EXPECT_GT(drifted, 2.0 * held);
+  // Steps that are known to stand leave a per cent or two of the way; without them errors grow with the square of time.
+  const double way_m = (person.poses(40.0).front().p_WL - person.poses(0.0).front().p_WL).norm();
+  EXPECT_GT(way_m, 10.0);
+  EXPECT_LT(held, 1e3 * 0.02 * way_m);
+  EXPECT_GT(drifted, 10.0 * held);
 }
 
 // What is solved in two parts, the second resumed from the first's state, is what is solved at once.
@@ -132,10 +136,7 @@ TEST_F(LogCommand, AStateIsSavedAndResumed) {
   solve({"solve", "inertial.take", "--save-state", "whole.json"});
   solve({"solve", "first.take", "--save-state", "half.json"});
   solve({"solve", "second.take", "--resume", "half.json", "--save-state", "end.json"});
-  const auto content = [&](const char* name) {
-    std::ifstream file(folder_.path() / name);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
+  const auto content = [&](const char* name) { return read_file(folder_.path() / name).value(); };
   EXPECT_GT(content("whole.json").size(), 1000U);
   EXPECT_EQ(content("whole.json"), content("end.json"));
   const testing_support::CommandLine program(folder_.path());
