@@ -55,8 +55,11 @@ Result<calibrate::SoundSpeed> speed_of_sound_from(const take::Take& take, const 
       estimator.add(reading, calibration.speed_of_sound);
     }
   }
-  auto speed = estimator.estimate();
-  return speed;
+  decoder.finish();  // It looks ahead: the last pulses are still in it.
+  for (const decode::RangeReading& reading : decoder.take_ranges()) {
+    estimator.add(reading, calibration.speed_of_sound);
+  }
+  return estimator.estimate();
 }
 
 }  // namespace limbwave::solve

@@ -117,6 +117,10 @@ TEST(SoundSpeed, AWrongEntryIsFoundFromTheSound) {
         estimator.add(reading, calibration.speed_of_sound);
       }
     }
+    decoder.finish();
+    for (const decode::RangeReading& reading : decoder.take_ranges()) {
+      estimator.add(reading, calibration.speed_of_sound);
+    }
     const auto found = estimator.estimate();
     ASSERT_TRUE(found.ok()) << found.error().text();
     const double wrong = calibration.speed_of_sound / stream.speed_of_sound() - 1.0;
