@@ -268,7 +268,7 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
 }
 
 Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
-                                                   const Progress& progress) {
+                                                   const Progress& progress, bool by_past) {
   const body::Rig& rig = take.info.rig;
   std::vector<int> board_of_chip;
   for (const body::Gyroscope& gyroscope : rig.gyroscopes) {
@@ -300,7 +300,11 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
     }
     return {};
   };
-  const Result<DriverBoxReport> decoded = decode_driver_box(take, {}, keep, progress);
+  decode::DriverBoxParameters parameters;
+  if (by_past) {
+    parameters.ranging.look_ahead_s = 0.0;
+  }
+  const Result<DriverBoxReport> decoded = decode_driver_box(take, parameters, keep, progress);
   if (!decoded) {
     return decoded.error();
   }
@@ -311,9 +315,9 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
 
 Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& settings, const Progress& progress) {
   const estimate::BodyModel model = estimate::body_model(take.info.rig, take.info.skeleton);
-  Result<estimate::BodyReadings> readings = take.info.kind == "driver-box"
-                                                ? driver_box_readings(take, model, progress.part(0.0, 0.5))
-                                                : take::read_logs_of(take, model);
+  Result<estimate::BodyReadings> readings =
+      take.info.kind == "driver-box" ? driver_box_readings(take, model, progress.part(0.0, 0.5), settings.by_past)
+                                     : take::read_logs_of(take, model);
   if (!readings) {
     return readings.error();
   }

@@ -19,6 +19,8 @@ struct BodySolveSettings {
   estimate::StartMode start = estimate::StartMode::kAny;
   std::string resume = {};      ///< File with the state to resume from; empty: from the beginning. Not with `smooth`.
   std::string save_state = {};  ///< File to save the last state to; empty: none.
+  /// Ranges are judged by what came before them alone, as live; offline what comes after helps.
+  bool by_past = false;
 };
 
 /// The parameters that suit a model: what a rig of one free sensor needs is not what a body needs.
@@ -37,6 +39,6 @@ Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& set
 /// What a driver box heard, for the filter: words whose values are known, and ranges that were accepted. Memory grows
 /// with the take: about 0.2 kB a word. `progress` is asked to 1.
 Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
-                                                   const Progress& progress);
+                                                   const Progress& progress, bool by_past = false);
 
 }  // namespace limbwave::solve

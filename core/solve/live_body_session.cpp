@@ -254,7 +254,9 @@ void LiveBodySession::Impl::publish() {
 void LiveBodySession::Impl::solve() {
   decode::DriverBoxFormat format = driver_box_format(settings.rig, settings.skeleton, settings.ranging);
   format.rate = box->format().rate;
-  decode::DriverBoxDecoder decoder(format);
+  decode::DriverBoxParameters parameters;
+  parameters.ranging.look_ahead_s = 0.0;  // A picture cannot wait for what comes later.
+  decode::DriverBoxDecoder decoder(format, parameters);
   const std::size_t frame_bytes = box->format().bytes_per_frame();
   bool solving = true;
   while (true) {

@@ -112,6 +112,7 @@ TEST(LiveBodySession, RecordsAndSolvesAndTheRecordingSolvesToTheSameBits) {
 
   solve::BodySolveSettings again = settings.solve;
   again.name = "again";
+  again.by_past = true;
   const solve::Solve solved = require(solve::solve_sensors(take, again, {}));
   ASSERT_EQ(solved.clip.root_position.times.size(), live.size());
   for (std::size_t i = 0; i < live.size(); ++i) {
