@@ -5,22 +5,9 @@
 #include <string>
 
 #include "base/units.h"
+#include "simulate/part_tolerance.h"
 
 namespace limbwave::simulate {
-namespace {
-
-double drawn(Random& random, double sigma) {
-  return sigma * std::clamp(random.normal(), -3.0, 3.0);
-}
-
-Vector3d drawn_vector(Random& random, double sigma) {
-  const double x = drawn(random, sigma);
-  const double y = drawn(random, sigma);
-  const double z = drawn(random, sigma);
-  return {x, y, z};
-}
-
-}  // namespace
 
 BoardChip::BoardChip(const body::DriverBoxSignal& box, const DriverBoxErrors& errors, std::uint64_t seed, int board)
     : errors_(errors),

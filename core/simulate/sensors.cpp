@@ -6,24 +6,10 @@
 
 #include "base/units.h"
 #include "geometry/so3.h"
+#include "simulate/part_tolerance.h"
 #include "simulate/random.h"
 
 namespace limbwave::simulate {
-namespace {
-
-// A part outside three standard deviations would not pass the factory.
-double drawn(Random& random, double sigma) {
-  return sigma * std::clamp(random.normal(), -3.0, 3.0);
-}
-
-Vector3d drawn_vector(Random& random, double sigma) {
-  const double x = drawn(random, sigma);
-  const double y = drawn(random, sigma);
-  const double z = drawn(random, sigma);
-  return {x, y, z};
-}
-
-}  // namespace
 
 Vector3d ActualSensor::reading_g(const Vector3d& f_S) const {
   return M * (f_S / kStandardGravity) + offset_g;
