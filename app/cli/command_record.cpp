@@ -302,8 +302,7 @@ void add_record(CLI::App& app, Console& console) {
   command->add_option("TAKE", options->take, "Folder to make")->required();
   command->add_option("--device", options->device, "As `limbwave devices` lists it, \"default\", or simulator:MOTION")
       ->capture_default_str();
-  CLI::Option* box =
-      command
+  command
           ->add_option(
               "--driver-box", options->driver_box,
               "Serial port of a driver box, or a sound card that serves as one: microphones on its inputs, sources "

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "acquire/box_ports.h"
 #include "common/core_text.h"
 #include "common/format.h"
 
@@ -138,9 +139,9 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   set_state(LiveState::kOpening);
   const std::uint64_t attempt = ++opening_;
   door_->newest = attempt;
-  auto work = [open_device = services_.open_device, make_live = services_.make_live, load_rig = services_.load_rig,
-               id = device_id.toStdString(), rig, wearer = wearer_.toStdString(), setup, bell = bell_, door = door_,
-               ticket = door_->ticket(), attempt](const Progress&) -> Result<Opened> {
+  auto work = [open_device = services_.open_device, open_box = services_.open_box, make_live = services_.make_live,
+               load_rig = services_.load_rig, id = device_id.toStdString(), rig, wearer = wearer_.toStdString(), setup,
+               bell = bell_, door = door_, ticket = door_->ticket(), attempt](const Progress&) -> Result<Opened> {
     const Door::Turn turn(door, ticket);
     if (door->newest != attempt) {
       return cancelled();
@@ -149,12 +150,20 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
     if (!settings) {
       return settings.error();
     }
-    auto source = open_device(id, setup, rig);
-    if (!source) {
-      return source.error();
-    }
     Opened opened{nullptr, std::move(settings).value()};
-    opened.backend = make_live(std::move(source).value(), opened.settings);
+    if (open_box && id.starts_with(acquire::kBoxPrefix)) {
+      auto backend = open_box(id, setup, opened.settings);
+      if (!backend) {
+        return backend.error();
+      }
+      opened.backend = std::move(backend).value();
+    } else {
+      auto source = open_device(id, setup, rig);
+      if (!source) {
+        return source.error();
+      }
+      opened.backend = make_live(std::move(source).value(), opened.settings);
+    }
     opened.backend->on_figure([bell] { bell->ring(); });
     if (Status started = opened.backend->start(); !started) {
       return started.error();
@@ -328,6 +337,12 @@ std::optional<take::TakeEvent> LiveModel::mark(const QString& text) {
 
 bool LiveModel::write_event(const take::TakeEvent& event) {
   return backend_ && recording_ && backend_->write_event(event);
+}
+
+void LiveModel::ask(const std::string& what) {
+  if (backend_) {
+    backend_->ask(what);
+  }
 }
 
 void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {

@@ -62,6 +62,8 @@ class LiveModel : public QObject {
   std::optional<take::TakeEvent> mark(const QString& text);
   /// Writes a line of the recording's events; false when nothing is recorded.
   bool write_event(const take::TakeEvent& event);
+  /// A wizard asks for this; a simulated wearer does it.
+  void ask(const std::string& what);
   void set_calibration(const calibrate::RigCalibration& calibration);
   /// Somebody else wears the sensors: reads this person's mountings from the library in a job, a moment after the last
   /// call. A recording that starts before is told first. Ends in `calibration_changed`.

@@ -3,14 +3,31 @@
 #include <QDir>
 #include <QPointer>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "acquire/box_ports.h"
+#include "common/core_services.h"
 #include "common/core_text.h"
 #include "common/format.h"
 #include "workspaces/capture/capture_commands.h"
 #include "workspaces/capture/device_format.h"
 
 namespace limbwave::ui {
+
+namespace {
+
+bool is_box_id(const QString& id) {
+  return id.toStdString().starts_with(acquire::kBoxPrefix);
+}
+
+QString rig_key(bool box) {
+  return box ? QStringLiteral("capture/box-rig") : QStringLiteral("capture/rig");
+}
+
+constexpr auto kOwnPorts = "capture/box-ports";
+
+}  // namespace
 
 CaptureModel& CaptureModel::of(StudioContext& context) {
   if (auto* made = context.findChild<CaptureModel*>({}, Qt::FindDirectChildrenOnly)) {
@@ -30,10 +47,12 @@ CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
   setup_.rig = context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
   setup_.subject = context.wearer();
   setup_.folder = context.takes_folder();
-  const auto known = std::any_of(rigs_.begin(), rigs_.end(),
-                                 [this](const RigChoice& rig) { return rig.name == setup_.rig.toStdString(); });
-  if (!rigs_.empty() && !known) {
-    setup_.rig = QString::fromStdString(rigs_.front().name);
+  const auto known = std::any_of(rigs_.begin(), rigs_.end(), [this](const RigChoice& rig) {
+    return !rig.driver_box && rig.name == setup_.rig.toStdString();
+  });
+  const auto first = std::find_if(rigs_.begin(), rigs_.end(), [](const RigChoice& rig) { return !rig.driver_box; });
+  if (first != rigs_.end() && !known) {
+    setup_.rig = QString::fromStdString(first->name);
   }
   load_rig_names();
   suggest_name();
@@ -90,6 +109,64 @@ void CaptureModel::load_rig_names() {
         }
         Q_EMIT setup_changed();
       });
+}
+
+bool CaptureModel::is_box() const {
+  return is_box_id(context_.live().device_id());
+}
+
+std::vector<RigChoice> CaptureModel::rigs() const {
+  std::vector<RigChoice> fitting;
+  std::copy_if(rigs_.begin(), rigs_.end(), std::back_inserter(fitting),
+               [box = is_box()](const RigChoice& rig) { return rig.driver_box == box; });
+  return fitting;
+}
+
+void CaptureModel::suit_rig(const QString& device) {
+  const bool box = is_box_id(device);
+  const auto fits = [box](const QString& name) {
+    return [box, name](const RigChoice& rig) { return rig.driver_box == box && rig.name == name.toStdString(); };
+  };
+  if (std::any_of(rigs_.begin(), rigs_.end(), fits(setup_.rig))) {
+    return;
+  }
+  const QString last = context_.settings().value(rig_key(box)).toString();
+  auto found = std::find_if(rigs_.begin(), rigs_.end(), fits(last));
+  if (found == rigs_.end()) {
+    found = std::find_if(rigs_.begin(), rigs_.end(), [box](const RigChoice& rig) { return rig.driver_box == box; });
+  }
+  if (found != rigs_.end()) {
+    setup_.rig = QString::fromStdString(found->name);
+    load_rig_names();
+  }
+}
+
+void CaptureModel::add_own_ports() {
+  for (const QString& port : context_.settings().value(QLatin1String(kOwnPorts)).toStringList()) {
+    acquire::DeviceInfo box;
+    box.id = std::string(acquire::kBoxPrefix) + port.toStdString();
+    box.title = tr("Driver box at %1").arg(port).toStdString();
+    if (std::none_of(devices_.begin(), devices_.end(), [&](const auto& one) { return one.id == box.id; })) {
+      // Before the simulator, which is always last.
+      const auto simulators = std::find_if(devices_.begin(), devices_.end(),
+                                           [](const auto& one) { return one.id.starts_with(kSimulatorPrefix); });
+      devices_.insert(simulators, std::move(box));
+    }
+  }
+}
+
+void CaptureModel::open_box_port(const QString& port) {
+  if (port.trimmed().isEmpty()) {
+    return;
+  }
+  QStringList ports = context_.settings().value(QLatin1String(kOwnPorts)).toStringList();
+  ports.removeAll(port.trimmed());
+  ports.prepend(port.trimmed());
+  context_.settings().setValue(QLatin1String(kOwnPorts), ports.mid(0, 4));
+  add_own_ports();
+  Q_EMIT devices_changed();
+  open_device(QString::fromLatin1(acquire::kBoxPrefix.data(), static_cast<qsizetype>(acquire::kBoxPrefix.size())) +
+              port.trimmed());
 }
 
 QStringList CaptureModel::sensor_names() const {
@@ -149,6 +226,7 @@ void CaptureModel::refresh_devices() {
         searching_ = false;
         if (result) {
           devices_ = std::move(result).value();
+          add_own_ports();
         } else {
           devices_.clear();
           search_problem_ = core_text(result.error().text());
@@ -176,10 +254,12 @@ void CaptureModel::open_device(const QString& id) {
   if (device == devices_.end() || (live.state() != LiveState::kOff && live.device_id() == id && !live.lost())) {
     return;
   }
+  suit_rig(id);
   if (live.open(id, QString::fromStdString(device->title), rig().toStdString(), subject(),
                 remembered_setup(context_.settings(), *device))) {
     context_.settings().setValue(QStringLiteral("capture/device"), id);
   }
+  Q_EMIT setup_changed();
 }
 
 const acquire::DeviceInfo* CaptureModel::device() const {
@@ -276,13 +356,19 @@ bool CaptureModel::apply(const CaptureSetup& next) {
   if (live.recording() || live.starting()) {
     return false;  // It belongs to what is being recorded.
   }
-  const bool other_rig = next.rig != setup_.rig;
+  const std::vector<RigChoice> fitting = rigs();
+  const bool fits = std::any_of(fitting.begin(), fitting.end(),
+                                [&](const RigChoice& rig) { return rig.name == next.rig.toStdString(); });
+  // An older step may name a rig for the other kind of device: the device stays, and its rig.
+  const QString rig_before = setup_.rig;
+  const bool other_rig = next.rig != setup_.rig && (fits || fitting.empty());
   context_.set_takes_folder(next.folder);
   setup_ = next;
+  setup_.rig = other_rig ? next.rig : rig_before;
   check_name();
   context_.set_wearer(subject());
   if (other_rig) {
-    context_.settings().setValue(QStringLiteral("capture/rig"), rig());
+    context_.settings().setValue(rig_key(is_box()), rig());
     load_rig_names();
   }
   Q_EMIT setup_changed();
