@@ -12,7 +12,7 @@
 namespace limbwave::solve {
 namespace {
 
-constexpr double kSettled = 0.06;  // s behind the newest sample every reading has come out of the decoder
+constexpr double kDecoded = 0.06;  // s behind the newest sample every reading has come out of the decoder
 constexpr double kWait = 0.05;
 constexpr double kPortion = 0.1;    // s of samples that are decoded before the filter has its turn
 constexpr double kCaughtUp = 0.15;  // s that may wait after something was left out
@@ -55,6 +55,11 @@ Status LiveBodyWorker::prepare() {
   tracker_ = std::make_unique<estimate::BodyTracker>(model_, body_parameters(model_, settings.solve),
                                                      watch_parameters(model_, settings.solve),
                                                      estimate::TrackerSettings{settings.solve.rate_hz, settings.lag_s});
+  settled_s_ = kDecoded;
+  if (settings.solve.align_words) {
+    aligner_ = std::make_unique<WordAligner>(model_, settings.rig.driver_box->word_rate_hz);
+    settled_s_ += aligner_->delay_s();
+  }
   decode::DriverBoxFormat decoded = driver_box_format(settings.rig, settings.skeleton, settings.ranging);
   decoded.rate = format.rate;
   decode::DriverBoxParameters parameters;
@@ -164,9 +169,9 @@ void LiveBodyWorker::show(const estimate::TrackedPose& pose) {
   next->time_s = pose.time_s;
   if (clock_.known()) {
     // The pose waits for what may still come out of the decoder with its time.
-    next->times.oldest_slot = clock_.time_of((pose.time_s - kWordInterval) * format.rate.hz);
+    next->times.oldest_slot = clock_.time_of((pose.time_s - (aligner_ ? 2.0 : 1.0) * kWordInterval) * format.rate.hz);
     next->times.instant = clock_.time_of(pose.time_s * format.rate.hz);
-    next->times.cycle_end = std::min(arrived_s_, clock_.time_of((pose.time_s + kSettled) * format.rate.hz));
+    next->times.cycle_end = std::min(arrived_s_, clock_.time_of((pose.time_s + settled_s_) * format.rate.hz));
     next->times.arrived = arrived_s_;
     next->times.solved = now_s();
     latency_.add(next->times);
@@ -203,9 +208,12 @@ void LiveBodyWorker::hand_on(bool all) {
           {word.time.value, board_of_chip_.at(static_cast<std::size_t>(word.board)), word.w_WS_S, word.f_S});
     }
   }
-  state_.words += static_cast<std::int64_t>(words.size());
   state_.ranges += static_cast<std::int64_t>(ranges.size());
-  Status pushed = tracker_->push(words, ranges, static_cast<double>(position_) / format.rate.hz - kSettled);
+  if (aligner_) {
+    words = aligner_->push(words);
+  }
+  state_.words += static_cast<std::int64_t>(words.size());
+  Status pushed = tracker_->push(words, ranges, static_cast<double>(position_) / format.rate.hz - settled_s_);
   if (pushed && all) {
     pushed = tracker_->finish();
   }

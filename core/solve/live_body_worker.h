@@ -12,6 +12,7 @@
 #include "decode/driver_box_decoder.h"
 #include "solve/live_body_session.h"
 #include "solve/live_clock.h"
+#include "solve/word_alignment.h"
 #include "take/driver_box_recording.h"
 
 namespace limbwave::solve {
@@ -79,6 +80,8 @@ struct LiveBodyWorker {
   estimate::BodyModel model_;
   std::unique_ptr<estimate::BodyTracker> tracker_;
   std::unique_ptr<decode::DriverBoxDecoder> decoder_;
+  std::unique_ptr<WordAligner> aligner_;  // null: words stay at their own instants
+  double settled_s_ = 0.0;                // behind the newest sample no reading of before will come any more
   BoxWires wires_;
   std::vector<int> board_of_chip_, board_of_microphone_, source_of_;
   CaptureClock clock_;

@@ -134,7 +134,7 @@ TEST_F(DriverBoxLive, PosesFollowTheTruthAndAreThoseOfTheTakeToTheBit) {
   std::printf("joints %.2f deg mean, latency %.0f ms mean, %.0f ms for 95 %%\n", mean,
               1e3 * last->latency.of(solve::LatencyStage::kTotal).mean_s,
               1e3 * last->latency.of(solve::LatencyStage::kTotal).p95_s);
-  EXPECT_LT(mean, 5.0);
+  EXPECT_LT(mean, 3.0);
 }
 
 // Recording may begin and end in mid-session: the take begins with a round of the sources, and its samples are the

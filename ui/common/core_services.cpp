@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <filesystem>
 
 #include "acquire/box_ports.h"
 #include "acquire/channel_pair.h"
@@ -56,6 +57,23 @@ std::string simulator_title(const std::string& motion) {
   return CoreServices::tr("Simulator: %1").arg(motion_title(QString::fromStdString(motion))).toStdString();
 }
 
+/// In the user's language; the core's own titles are English.
+std::string box_title(const acquire::DeviceInfo& box, const std::vector<acquire::DeviceInfo>& cards) {
+  const std::string port = acquire::box_port(box.id);
+  for (const acquire::DeviceInfo& card : cards) {
+    if (card.id == port) {
+      return CoreServices::tr("%1 as a driver box").arg(QString::fromStdString(card.title)).toStdString();
+    }
+  }
+  const std::filesystem::path path(port);
+  if (path.parent_path() == acquire::emulator_folder()) {
+    return CoreServices::tr("Driver box emulator %1")
+        .arg(QString::fromStdString(path.filename().string()))
+        .toStdString();
+  }
+  return CoreServices::tr("Driver box at %1").arg(QString::fromStdString(port)).toStdString();
+}
+
 /// The simulator's motions, the most telling first; still poses are for measuring and show nothing.
 std::vector<std::string> demo_motions() {
   std::vector<std::string> motions = simulate::builtin_motions();
@@ -78,6 +96,9 @@ Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
   std::vector<acquire::DeviceInfo> boxes = acquire::list_box_ports();
   const std::vector<acquire::DeviceInfo> cards = acquire::cards_as_boxes(all, kBoxWires);
   boxes.insert(boxes.end(), cards.begin(), cards.end());
+  for (acquire::DeviceInfo& box : boxes) {
+    box.title = box_title(box, all);
+  }
   all.insert(all.end(), boxes.begin(), boxes.end());
   for (const std::string& motion : demo_motions()) {
     acquire::DeviceInfo simulator;

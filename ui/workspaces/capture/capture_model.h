@@ -112,6 +112,7 @@ class CaptureModel : public QObject {
   /// The rig last used for this kind of device, where the present one is for the other.
   void suit_rig(const QString& device);
   void add_own_ports();
+  [[nodiscard]] QString rig_key() const;  ///< Of the settings, for this kind of device.
   void check_name();
   void set_countdown(int seconds);
   void count_down();
