@@ -303,12 +303,12 @@ void add_record(CLI::App& app, Console& console) {
   command->add_option("--device", options->device, "As `limbwave devices` lists it, \"default\", or simulator:MOTION")
       ->capture_default_str();
   command
-          ->add_option(
-              "--driver-box", options->driver_box,
-              "Serial port of a driver box, or a sound card that serves as one: microphones on its inputs, sources "
-              "on its outputs, and a cable from the output after the last source to the input after the last "
-              "microphone")
-          ->excludes("--device");
+      ->add_option(
+          "--driver-box", options->driver_box,
+          "Serial port of a driver box, or a sound card that serves as one: microphones on its inputs, sources "
+          "on its outputs, and a cable from the output after the last source to the input after the last "
+          "microphone")
+      ->excludes("--device");
   command->add_option("--rig", options->rig,
                       "Rig: a name or a file; line-in-arm or, with a driver box, driver-box-body");
   command->add_option("--subject", options->subject, "Who wears it");

@@ -42,8 +42,8 @@ void LimbWizardModel::set_page(LimbPage page) {
   } else {
     timer_.stop();
   }
-  desk_.source().ask(
-      in_pose() ? solve::pose_segment(target_.rig.groups.at(static_cast<std::size_t>(group_)), pose_) : std::string());
+  desk_.source().ask(in_pose() ? solve::pose_segment(target_.rig.groups.at(static_cast<std::size_t>(group_)), pose_)
+                               : std::string());
   Q_EMIT page_changed();
 }
 
