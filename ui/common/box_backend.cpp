@@ -17,9 +17,9 @@ constexpr double kCardRate = 192000.0;
 constexpr double kPosesHz = 60.0;  // as screens show them
 constexpr const char* kClient = "limbwave";
 
-/// lupdate knows this as the context "BoxBackend".
+/// lupdate knows this as the context "BoxWords".
 struct BoxWords {
-  Q_DECLARE_TR_FUNCTIONS(BoxBackend)
+  Q_DECLARE_TR_FUNCTIONS(BoxWords)
 };
 
 std::string words(const QString& text) {
