@@ -109,7 +109,7 @@ class CardBox : public BoxSource {
 
   void stop() override {
     running_ = false;
-    stream_.reset();
+    DuplexStream::retire(std::move(stream_));
   }
 
   BoxPart pull(double timeout_s) override;
@@ -296,7 +296,7 @@ void CardBox::reopen(BoxPart& part) {
     next_try_s_ = lost_at_s_ + kReopen;
     part.events.push_back(
         {SampleIndex{position_}, "line-lost", "the sound card does not answer any more; waiting for it", 0});
-    stream_.reset();
+    DuplexStream::retire(std::move(stream_));
   }
   if (now_s() < next_try_s_) {
     return;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -188,6 +189,10 @@ TEST_F(DuplexStreamTest, AServerThatIsGoneIsSeen) {
     std::this_thread::sleep_for(milliseconds(50));
   }
   EXPECT_FALSE(stream_->alive());
+  // And nobody has to wait for the dead.
+  DuplexStream::retire(std::move(stream_));
+  const std::unique_lock free(portaudio_lock(), std::try_to_lock);
+  EXPECT_TRUE(free.owns_lock());
 }
 
 TEST(DuplexStream, ADeviceThatIsNotThereIsNamed) {
