@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include "geometry/so3.h"
 
@@ -13,8 +14,8 @@ using body::TreeLink;
 using Eigen::VectorXd;
 
 // Rows that are updated with at once: more rows pass over the covariance less often, fewer need less to be
-// decorrelated.
-constexpr int kChunkRows = 36;
+// decorrelated. All readings of a body with some twenty boards.
+constexpr int kChunkRows = 150;
 
 BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, const body::Tree& tree) {
   BodyLayout layout;
@@ -26,6 +27,18 @@ BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, co
     return first;
   };
   const bool inertial = p.use_gyroscopes || p.use_accelerometers;
+  // What moves lies together.
+  const auto slides = [&](const BodyBoard& board) {
+    return p.tissue_angle > 0.0 &&
+           ((p.use_gyroscopes && board.gyroscope) || (p.use_accelerometers && board.accelerometer));
+  };
+  for (const BodyBoard& board : model.boards) {
+    layout.tissue_angle.push_back(take(slides(board), 3));
+  }
+  for (const BodyBoard& board : model.boards) {
+    layout.tissue_gain.push_back(take(slides(board), 3));
+  }
+  layout.moving = layout.size;
   for (const BodyBoard& board : model.boards) {
     const bool gyroscope = p.use_gyroscopes && board.gyroscope;
     const bool accelerometer = p.use_accelerometers && board.accelerometer;
@@ -33,9 +46,6 @@ BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, co
     layout.gyroscope_bias.push_back(take(gyroscope && p.gyroscope_bias > 0.0, 3));
     layout.accelerometer_bias.push_back(take(accelerometer && p.accelerometer_bias > 0.0, 3));
     layout.mount_rotation.push_back(take(inertial && (gyroscope || accelerometer) && p.mount_rotation > 0.0, 3));
-    const bool moves = inertial && (gyroscope || accelerometer) && p.tissue_angle > 0.0;
-    layout.tissue_angle.push_back(take(moves, 3));
-    layout.tissue_gain.push_back(take(moves, 3));
     layout.mount_place.push_back(take((accelerometer || microphone) && p.mount_place > 0.0, 3));
   }
   for (std::size_t s = 0; s < model.sources.size(); ++s) {
@@ -200,8 +210,10 @@ std::vector<double> BodyFilter::place_scale() const {
 
 void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepRecord* record) {
   if (record != nullptr) {
-    record->updates.clear();
     record->predict = {};
+    // Their memory is used again.
+    std::move(record->updates.begin(), record->updates.end(), std::back_inserter(spare_records_));
+    record->updates.clear();
   }
   const double dt = instant.time_s - state_.time_s;
   if (dt > 0.0) {
@@ -209,17 +221,17 @@ void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepR
   }
   kinematics_.update(state_.joints, place_scale());
   correction_.setZero();
+  corrected_ = false;
   if (root != nullptr) {
     add_root(*root);
   }
   for (std::size_t i = 0; i < instant.inertials; ++i) {
     add_inertial(instant.inertial[i]);
-    if (pending_rows_ >= kChunkRows) {
-      flush(record);
-    }
+    flush_full(record);
   }
   for (std::size_t i = 0; i < instant.range_count; ++i) {
     add_range(instant.ranges[i]);
+    flush_full(record);
   }
   if (instant.time_s >= next_prior_s_) {
     add_priors();
@@ -228,6 +240,16 @@ void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepR
   }
   flush(record);
   inject(state_, correction_);
+}
+
+UpdateRecord& BodyFilter::add_record(std::vector<UpdateRecord>& records) {
+  if (spare_records_.empty()) {
+    return records.emplace_back();
+  }
+  UpdateRecord& record = records.emplace_back(std::move(spare_records_.back()));
+  spare_records_.pop_back();
+  record.e.clear();
+  return record;
 }
 
 MeasurementGroup& BodyFilter::group(int rows, int tag) {
@@ -245,6 +267,13 @@ MeasurementGroup& BodyFilter::group(int rows, int tag) {
   return g;
 }
 
+void BodyFilter::flush_full(StepRecord* record) {
+  if (pending_rows_ >= kChunkRows) {
+    flush(record);
+    corrected_ = true;
+  }
+}
+
 void BodyFilter::flush(StepRecord* record) {
   if (used_groups_ == 0) {
     return;
@@ -252,7 +281,7 @@ void BodyFilter::flush(StepRecord* record) {
   MeasurementGroup* first = groups_.data();
   MeasurementGroup* last = first + used_groups_;
   // Earlier updates of this instant have moved the state; everything is linearised where the prediction was.
-  for (MeasurementGroup* g = first; g != last; ++g) {
+  for (MeasurementGroup* g = first; corrected_ && g != last; ++g) {
     for (std::size_t s = 0; s < g->support.size(); ++s) {
       for (int r = 0; r < g->rows; ++r) {
         g->innovation[r] -=
@@ -265,11 +294,11 @@ void BodyFilter::flush(StepRecord* record) {
   }
   UpdateRecord* update = nullptr;
   if (record != nullptr) {
-    update = &record->updates.emplace_back();
+    update = &add_record(record->updates);
   }
   log_likelihood_ += P_.update(first, last, correction_, update);
   if (update != nullptr && update->e.empty()) {
-    record->updates.pop_back();
+    record->updates.pop_back();  // nothing was accepted
   }
   for (const MeasurementGroup* g = first; g != last; ++g) {
     count(*g);
@@ -280,7 +309,7 @@ void BodyFilter::flush(StepRecord* record) {
 
 void BodyFilter::update(std::vector<MeasurementGroup>& groups, std::vector<UpdateRecord>* records) {
   correction_.setZero();
-  UpdateRecord* record = records != nullptr ? &records->emplace_back() : nullptr;
+  UpdateRecord* record = records != nullptr ? &add_record(*records) : nullptr;
   P_.update(groups.data(), groups.data() + groups.size(), correction_, record);
   inject(state_, correction_);
 }

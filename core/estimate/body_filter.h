@@ -1,7 +1,7 @@
 /// The body filter: an error-state extended Kalman filter in joint space for gyroscopes, accelerometers and ranges
 /// (Vlasic et al. 2007, §5), with ball joints on SO(3), sensor errors and mountings among the states.
 ///
-/// Error state: [δθ | δθ̇ | δθ̈ | constants]. θ are the joint degrees of freedom of body::Tree; the constants are
+/// Error state: [δθ | δθ̇ | δθ̈ | skin | constants]. θ are the joint degrees of freedom of body::Tree; the constants are
 /// gyroscope and accelerometer biases, mounting rotations and places of the boards, range offsets of the sources, the
 /// scale of the speed of sound and bone lengths, as far as the parameters give them a standard deviation.
 /// Process: θ̈ is a random walk as in the paper's eq. (1), optionally drawn back to zero.
@@ -85,6 +85,7 @@ struct ReadingCount {
 /// Where the constants are in the error state; -1: not estimated.
 struct BodyLayout {
   int dofs = 0, size = 0;
+  int moving = 0;  ///< So many states in front move on of themselves: joints and skin. The others are constants.
   std::vector<int> gyroscope_bias, accelerometer_bias, mount_rotation, mount_place;  ///< First of three, per board.
   std::vector<int> tissue_angle, tissue_gain;                                        ///< The same.
   std::vector<int> source_place;                                                     ///< First of three, per source.
@@ -172,7 +173,10 @@ class BodyFilter {
 
  private:
   void predict(double dt, PredictRecord* record);
-  void predict_tissue(double dt, PredictRecord* record);
+  void predict_tissue(double dt);
+  void predict_covariance(const PredictRecord& step);
+  void move_rows(const PredictRecord& step, long columns);
+  void add_process_noise(const PredictRecord& step);
   [[nodiscard]] double tissue_gain_sigma() const;
   void add_inertial(const InertialReading& reading);
   void add_range(const RangeReading& reading);
@@ -181,6 +185,8 @@ class BodyFilter {
   void add_limits();
   MeasurementGroup& group(int rows, int tag);
   void flush(StepRecord* record);
+  void flush_full(StepRecord* record);
+  UpdateRecord& add_record(std::vector<UpdateRecord>& records);
   void count(const MeasurementGroup& group);
   [[nodiscard]] std::vector<double> place_scale() const;
 
@@ -197,6 +203,8 @@ class BodyFilter {
   std::size_t used_groups_ = 0;
   int pending_rows_ = 0;
   Eigen::VectorXd correction_;
+  bool corrected_ = false;  // there has been an update at this instant
+  std::vector<UpdateRecord> spare_records_;
   body::PointJacobians jacobians_, source_jacobians_;
   std::vector<ReadingCount> gyroscope_counts_, accelerometer_counts_, range_counts_;
   double gates_[4] = {0, 0, 0, 0};  // by number of rows

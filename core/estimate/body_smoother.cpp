@@ -32,13 +32,9 @@ void append_sigma(PoseSigma sigma, BodyTrack& track) {
   track.root_sigma.push_back(sigma.root);
 }
 
-// Columns of P that belong to the joints, so many rows of them.
-void copy_columns(const BodyFilter& filter, int rows, Eigen::MatrixXd& P_theta) {
-  const int dofs = filter.layout().dofs;
-  P_theta.resize(rows, dofs);
-  for (int d = 0; d < dofs; ++d) {
-    std::copy_n(filter.covariance().row(d), rows, P_theta.col(d).data());
-  }
+// The covariance of the joints' degrees of freedom.
+Eigen::MatrixXd joint_covariance(const double* rows, long stride, int dofs) {
+  return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>(rows, dofs, dofs, Eigen::OuterStride<>(stride));
 }
 
 void reserve(BodyTrack& track, std::size_t count) {
@@ -151,13 +147,15 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
   }
   result.diagnostics = *std::move(started);
   reserve(result.track, run.instants.size());
-  Eigen::MatrixXd P_theta;
+  const int dofs = run.filter.layout().dofs;
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
     run.step(i);
     if (run.wanted[i] != 0) {
       append_pose(run.filter, run.filter.state(), result.track);
-      copy_columns(run.filter, run.filter.layout().dofs, P_theta);
-      append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints, P_theta, {}), result.track);
+      const ErrorCovariance& P = run.filter.covariance();
+      append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints,
+                              joint_covariance(P.row(0), P.stride(), dofs), {}),
+                   result.track);
     }
     if (i % 64 == 0 && !progress.report(static_cast<double>(i) / static_cast<double>(run.instants.size()))) {
       return stopped();
@@ -200,11 +198,12 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
   run.finish(result);
 
   const int size = run.filter.layout().size;
+  const int dofs = run.filter.layout().dofs;
   SampledAdjoint adjoint(size);
   struct Kept {
     StepRecord record;
     BodyState state;
-    Eigen::MatrixXd P_theta;  // columns: joint degrees of freedom
+    AlignedRows P_theta;  // rows: joint degrees of freedom
   };
   std::vector<Kept> kept;
   BodyTrack reversed;
@@ -220,17 +219,21 @@ Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& 
       run.step(i, &k.record);
       if (run.wanted[i] != 0) {
         k.state = run.filter.state();
-        copy_columns(run.filter, size, k.P_theta);
+        const ErrorCovariance& P = run.filter.covariance();
+        k.P_theta.resize(dofs, P.stride());
+        std::copy_n(P.row(0), dofs * P.stride(), k.P_theta.row(0));
       }
     }
     for (std::size_t i = end; i-- > checkpoint.first;) {
       Kept& k = kept[i - checkpoint.first];
       if (run.wanted[i] != 0) {
-        run.filter.tree().add(k.state.joints, -(k.P_theta.transpose() * adjoint.lambda()));
+        const SampledAdjoint::Rows changes = adjoint.changes(k.P_theta);
+        run.filter.tree().add(k.state.joints, -changes.col(0));
         append_pose(run.filter, k.state, reversed);
-        append_sigma(
-            pose_sigma(run.filter.tree(), model.skeleton, k.state.joints, k.P_theta, adjoint.changes(k.P_theta)),
-            reversed);
+        append_sigma(pose_sigma(run.filter.tree(), model.skeleton, k.state.joints,
+                                joint_covariance(k.P_theta.row(0), k.P_theta.columns(), dofs),
+                                changes.rightCols<SampledAdjoint::kSamples>()),
+                     reversed);
       }
       adjoint.over_step(k.record, run.filter.tree());
     }

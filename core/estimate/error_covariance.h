@@ -1,7 +1,9 @@
 /// Covariance of an error state and its exact Kalman update for sparse measurement rows, taken in chunks.
 ///
-/// P stays symmetric by construction: P⁺ = P − WᵀW with W = L⁻¹ H P and S = H P Hᵀ + R = L Lᵀ, so that there is no
+/// P stays symmetric by construction: P⁺ = P − WᵀW with W = U⁻ᵀ H P and S = H P Hᵀ + R = UᵀU, so that there is no
 /// gain whose rounding could make it asymmetric; the sum that is subtracted never exceeds P by more than rounding.
+///
+/// P does not fit the caches next to a core, so it is passed over as rarely as can be: once for H P, once for P⁺.
 #pragma once
 
 #include <Eigen/Core>
@@ -47,14 +49,21 @@ struct MeasurementGroup {
   int tag = 0;  ///< The caller's.
   // Results:
   double nis = 0.0;
+  double inflation = 1.0;  ///< Of the innovation's covariance, where the group counts less.
   bool accepted = false;
 };
 
-/// What an update did, for the smoother: G = L⁻¹ H on `support`, W = L⁻¹ H P, e = L⁻¹ ν.
+/// What an update did, for the smoother: with S = H P Hᵀ + R = UᵀU, W = U⁻ᵀ H P and e = U⁻ᵀ ν.
 struct UpdateRecord {
+  struct Rows {
+    int rows, support;  ///< How many there are.
+  };
+  std::vector<Rows> groups;  ///< Accepted ones, with H as in MeasurementGroup, one behind the other.
   std::vector<int> support;
-  AlignedRows G;  ///< m × support, padded.
-  AlignedRows W;  ///< m × n.
+  std::vector<double> H;
+  AlignedRows U;                ///< m × m, padded; its upper triangle.
+  std::vector<double> inverse;  ///< 1 / U(i, i).
+  AlignedRows W;                ///< m × n.
   std::vector<double> e;
 };
 
@@ -82,9 +91,13 @@ class ErrorCovariance {
                 UpdateRecord* record = nullptr);
 
  private:
+  long accept(MeasurementGroup* first, MeasurementGroup* last);
+  void innovation_covariance(const MeasurementGroup* first, const MeasurementGroup* last, long m);
+  void keep(const MeasurementGroup* first, const MeasurementGroup* last, UpdateRecord& record);
+
   int size_;
-  AlignedRows P_, Y_;
-  Eigen::MatrixXd S_;
+  AlignedRows P_, Y_, Y_transposed_, S_, packed_, x_;
+  std::vector<double> inverse_, e_;
   const CovarianceKernel* kernel_;
 };
 
