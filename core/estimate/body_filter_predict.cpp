@@ -121,12 +121,13 @@ void BodyFilter::predict_covariance(const PredictRecord& step) {
   const long stride = P_.stride();
   const long moving = (layout_.moving + 7) / 8 * 8;
   double* P = P_.row(0);
-  move_rows(step, stride);
+  const long width = P_.width();
+  move_rows(step, width);
   kernel.transpose_square(P, stride, moving);
   move_rows(step, moving);
   add_process_noise(step);
   kernel.mirror(P, stride, moving);
-  kernel.transpose(P + moving, moving, stride - moving, stride, P + moving * stride, stride);
+  kernel.transpose(P + moving, moving, width - moving, stride, P + moving * stride, stride);
   const auto walk = [&](const std::vector<int>& first, int count, double sigma) {
     for (const int f : first) {
       for (int i = 0; f >= 0 && i < count; ++i) {

@@ -6,7 +6,7 @@ namespace limbwave::estimate {
 
 struct CovarianceKernel {
   /// P −= WᵀW, P n × n symmetric (both triangles kept), W m × n packed as by `solve`.
-  void (*downdate)(double* P, long n, const double* W, long m);
+  void (*downdate)(double* P, long stride, long n, const double* W, long m);
   /// y = h P for one row, and Y = H P for three: H[s · rows + r] belongs to row index[s] of P.
   void (*multiply1)(const double* P, long stride, long width, const int* index, long count, const double* H, double* Y,
                     long y_stride);
@@ -29,7 +29,8 @@ struct CovarianceKernel {
   /// `inverse`: 1 / U(i, i). A pivot that is not positive is taken as tiny.
   void (*factor)(double* S, long m, long stride, double* inverse);
   /// Y = U⁻ᵀ Y, m × n; also to `packed`, m · n doubles: eight columns after the other, all rows of each.
-  void (*solve)(const double* U, long u_stride, const double* inverse, double* Y, long m, long n, double* packed);
+  void (*solve)(const double* U, long u_stride, const double* inverse, double* Y, long y_stride, long m, long n,
+                double* packed);
   /// C = A B; A rows × inner, B inner × width, C rows × width, their rows without gaps.
   void (*product)(const double* A, long stride, long rows, long inner, const double* B, double* C, long width);
   /// Y = U⁻¹ Y, m × width, its rows without gaps.

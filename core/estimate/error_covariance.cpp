@@ -39,10 +39,9 @@ AlignedRows& AlignedRows::operator=(AlignedRows&& other) noexcept {
   return *this;
 }
 
-ErrorCovariance::ErrorCovariance(int size) : size_(size), kernel_(&covariance_kernel()) {
-  const long padded = (size + 31) / 32 * 32;
-  P_.resize(padded, padded);
-  std::fill_n(P_.row(0), padded * padded, 0.0);
+ErrorCovariance::ErrorCovariance(int size) : size_(size), width_((size + 31) / 32 * 32), kernel_(&covariance_kernel()) {
+  P_.resize(width_, AlignedRows::spread(width_));
+  std::fill_n(P_.row(0), P_.rows() * P_.columns(), 0.0);
 }
 
 void ErrorCovariance::set_variance(int i, double variance) {
@@ -74,13 +73,13 @@ void ErrorCovariance::set_dense(const Eigen::MatrixXd& P) {
 // Y = H P of the groups that are accepted, each judged by its own innovation; rejected ones leave no rows behind.
 // Returns how many rows there are.
 long ErrorCovariance::accept(MeasurementGroup* first, MeasurementGroup* last) {
-  const long n = P_.columns();
+  const long stride = P_.columns();
   long m = 0;
   for (MeasurementGroup* g = first; g != last; ++g) {
     const auto count = static_cast<long>(g->support.size());
     assert(g->rows == 1 || g->rows == 3);
-    (g->rows == 1 ? kernel_->multiply1 : kernel_->multiply3)(P_.row(0), n, n, g->support.data(), count, g->H.data(),
-                                                             Y_.row(m), n);
+    (g->rows == 1 ? kernel_->multiply1 : kernel_->multiply3)(P_.row(0), stride, width_, g->support.data(), count,
+                                                             g->H.data(), Y_.row(m), stride);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> own(g->rows, g->rows);
     for (int r = 0; r < g->rows; ++r) {
       for (int c = 0; c <= r; ++c) {
@@ -110,14 +109,15 @@ long ErrorCovariance::accept(MeasurementGroup* first, MeasurementGroup* last) {
 void ErrorCovariance::innovation_covariance(const MeasurementGroup* first, const MeasurementGroup* last, long m) {
   constexpr long kWidth = 32;
   const long stride = S_.columns();
-  kernel_->transpose(Y_.row(0), (m + 3) / 4 * 4, P_.columns(), P_.columns(), Y_transposed_.row(0), stride);
+  const long width = (m + kWidth - 1) / kWidth * kWidth;
+  kernel_->transpose(Y_.row(0), (m + 3) / 4 * 4, width_, P_.columns(), Y_transposed_.row(0), stride);
   long at = 0;
   for (const MeasurementGroup* g = first; g != last; ++g) {
     if (!g->accepted) {
       continue;
     }
     const long from = at / kWidth * kWidth;
-    (g->rows == 1 ? kernel_->multiply1 : kernel_->multiply3)(Y_transposed_.row(0) + from, stride, stride - from,
+    (g->rows == 1 ? kernel_->multiply1 : kernel_->multiply3)(Y_transposed_.row(0) + from, stride, width - from,
                                                              g->support.data(), static_cast<long>(g->support.size()),
                                                              g->H.data(), S_.row(at) + from, stride);
     for (int r = 0; r < g->rows; ++r) {
@@ -151,33 +151,33 @@ void ErrorCovariance::keep(const MeasurementGroup* first, const MeasurementGroup
 
 double ErrorCovariance::update(MeasurementGroup* first, MeasurementGroup* last, Eigen::VectorXd& correction,
                                UpdateRecord* record) {
-  const long n = P_.columns();
+  const long stride = P_.columns();
   long rows = 0;
   for (const MeasurementGroup* g = first; g != last; ++g) {
     rows += g->rows;
   }
-  Y_.resize((rows + 3) / 4 * 4, n);
+  Y_.resize((rows + 3) / 4 * 4, stride);
   const long m = accept(first, last);
   if (m == 0) {
     return 0.0;
   }
   constexpr long kWidth = 32;
-  const long padded = (m + kWidth - 1) / kWidth * kWidth;
+  const long padded = AlignedRows::spread((m + kWidth - 1) / kWidth * kWidth);
   S_.resize(m, padded);
-  Y_transposed_.resize(n, padded);
-  packed_.resize(m, n);
+  Y_transposed_.resize(width_, padded);
+  packed_.resize(m, width_);
   innovation_covariance(first, last, m);
   inverse_.resize(static_cast<std::size_t>(m));
   kernel_->factor(S_.row(0), m, padded, inverse_.data());
-  Y_.resize(m, n);
-  kernel_->solve(S_.row(0), padded, inverse_.data(), Y_.row(0), m, n, packed_.row(0));
+  Y_.resize(m, stride);
+  kernel_->solve(S_.row(0), padded, inverse_.data(), Y_.row(0), stride, m, width_, packed_.row(0));
   e_.clear();
   for (const MeasurementGroup* g = first; g != last; ++g) {
     e_.insert(e_.end(), g->innovation, g->innovation + (g->accepted ? g->rows : 0));
   }
   double log_likelihood = 0.0;
-  x_.resize(1, n);
-  std::fill_n(x_.row(0), n, 0.0);
+  x_.resize(1, width_);
+  std::fill_n(x_.row(0), width_, 0.0);
   for (long i = 0; i < m; ++i) {
     double& e = e_[static_cast<std::size_t>(i)];
     e *= inverse_[static_cast<std::size_t>(i)];
@@ -185,11 +185,11 @@ double ErrorCovariance::update(MeasurementGroup* first, MeasurementGroup* last, 
     for (long k = i + 1; k < m; ++k) {
       e_[static_cast<std::size_t>(k)] -= u[k] * e;
     }
-    kernel_->subtract(x_.row(0), Y_.row(i), -e, n);
+    kernel_->subtract(x_.row(0), Y_.row(i), -e, width_);
     log_likelihood -= 0.5 * e * e + std::log(u[i]) + 0.918938533204672742;
   }
   correction += Eigen::Map<const Eigen::VectorXd>(x_.row(0), size_);
-  kernel_->downdate(P_.row(0), n, packed_.row(0), m);
+  kernel_->downdate(P_.row(0), stride, width_, packed_.row(0), m);
   if (record != nullptr) {
     keep(first, last, *record);
   }

@@ -16,7 +16,10 @@ namespace limbwave::estimate {
 /// Doubles aligned for the kernels.
 class AlignedRows {
  public:
-  void resize(long rows, long columns);  ///< Keeps its memory when it shrinks. Content is undefined.
+  /// Keeps its memory when it shrinks. Content is undefined.
+  void resize(long rows, long columns);
+  /// So many columns at least that rows do not get into each other's way in the caches: an odd number of lines.
+  [[nodiscard]] static long spread(long columns) { return ((columns + 7) / 8 | 1) * 8; }
   [[nodiscard]] double* row(long i) { return data_ + i * columns_; }
   [[nodiscard]] const double* row(long i) const { return data_ + i * columns_; }
   [[nodiscard]] long rows() const { return rows_; }
@@ -73,6 +76,7 @@ class ErrorCovariance {
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] long stride() const { return P_.columns(); }
+  [[nodiscard]] long width() const { return width_; }  ///< Of a row: size() and what fills it up to a multiple of 32.
   [[nodiscard]] double* row(int i) { return P_.row(i); }
   [[nodiscard]] const double* row(int i) const { return P_.row(i); }
   [[nodiscard]] double operator()(int i, int j) const { return P_.row(i)[j]; }
@@ -96,6 +100,7 @@ class ErrorCovariance {
   void keep(const MeasurementGroup* first, const MeasurementGroup* last, UpdateRecord& record);
 
   int size_;
+  long width_;  // of P, a multiple of what the kernels take at once
   AlignedRows P_, Y_, Y_transposed_, S_, packed_, x_;
   std::vector<double> inverse_, e_;
   const CovarianceKernel* kernel_;
