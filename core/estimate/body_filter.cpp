@@ -130,8 +130,16 @@ void BodyFilter::start(double time_s, const RootReading* root) {
   const BodyFilterParameters& p = parameters_;
   const int n = layout_.dofs;
   const auto square = [](double x) { return x * x; };
+  std::vector<int> freedom(model_.skeleton.segments.size(), 0);
+  for (const TreeLink& link : tree_.links()) {
+    freedom[static_cast<std::size_t>(link.segment)] += link.kind == body::LinkKind::kTranslation ? 0 : link.count;
+  }
+  for (const TreeLink& link : tree_.links()) {
+    for (int i = link.first; i < link.first + link.count; ++i) {
+      P_.set_variance(i, square(p.rest_pose) / std::max(1, freedom[static_cast<std::size_t>(link.segment)]));
+    }
+  }
   for (int i = 0; i < n; ++i) {
-    P_.set_variance(i, square(p.rest_pose));
     P_.set_variance(n + i, square(p.start_rate));
     P_.set_variance(2 * n + i, square(p.start_acceleration));
   }
@@ -141,7 +149,7 @@ void BodyFilter::start(double time_s, const RootReading* root) {
                    root != nullptr ? root->p_W : segment.p_PL);
     for (int i = 0; i < 3; ++i) {
       P_.set_variance(i, square(root != nullptr ? 0.01 : 0.001));
-      P_.set_variance(3 + i, square(root != nullptr ? 0.02 : p.rest_pose));
+      P_.set_variance(3 + i, square(root != nullptr ? 0.02 : p.rest_pose / std::sqrt(3.0)));
       P_.set_variance(n + i, square(0.2 + (root != nullptr ? 1.0 : 0.0)));
       P_.set_variance(n + 3 + i, square(p.start_rate + (root != nullptr ? 1.0 : 0.0)));
     }

@@ -60,7 +60,7 @@ struct BodyFilterParameters {
   double bone_scale = 0.02;
 
   // Start: around the rest pose.
-  double rest_pose = 0.04;  ///< Of each joint degree of freedom.
+  double rest_pose = 0.07;  ///< Of each joint's rotation, all its degrees of freedom together.
   double start_rate = 0.3;  ///< rad/s.
   double start_acceleration = 5.0;
 

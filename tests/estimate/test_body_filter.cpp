@@ -295,7 +295,7 @@ BodyFilterParameters modelled_errors_only() {
   p.accelerometer_bias = 0.05;
   p.tissue_angle = 0.0;
   p.acceleration_time = 0.0;
-  p.rest_pose = 0.02;
+  p.rest_pose = 0.035;
   p.limit_softness = 0.0;
   p.gate_probability = 0.0;
   return p;
