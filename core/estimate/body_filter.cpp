@@ -205,6 +205,45 @@ void BodyFilter::inject(BodyState& state, const VectorXd& x) const {
   state.sound_scale += layout_.sound_scale >= 0 ? x[layout_.sound_scale] : 0.0;
 }
 
+VectorXd BodyFilter::difference(const BodyState& from, const BodyState& to) const {
+  VectorXd x = VectorXd::Zero(layout_.size);
+  const int n = layout_.dofs;
+  x.head(n) = tree_.difference(from.joints, to.joints);
+  x.segment(n, n) = to.joints.qd - from.joints.qd;
+  x.segment(2 * n, n) = to.joints.qdd - from.joints.qdd;
+  const auto put = [&](const std::vector<int>& first, const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (first[i] >= 0) {
+        x.segment<3>(first[i]) = b[i] - a[i];
+      }
+    }
+  };
+  put(layout_.gyroscope_bias, from.gyroscope_bias, to.gyroscope_bias);
+  put(layout_.accelerometer_bias, from.accelerometer_bias, to.accelerometer_bias);
+  put(layout_.mount_place, from.mount_place, to.mount_place);
+  put(layout_.tissue_angle, from.tissue_angle, to.tissue_angle);
+  put(layout_.tissue_gain, from.tissue_gain, to.tissue_gain);
+  put(layout_.source_place, from.source_place, to.source_place);
+  for (std::size_t i = 0; i < layout_.mount_rotation.size(); ++i) {
+    if (const int first = layout_.mount_rotation[i]; first >= 0) {
+      x.segment<3>(first) = geometry::log_so3(from.mount_rotation[i].conjugate() * to.mount_rotation[i]);
+    }
+  }
+  const auto put_one = [&](int index, double a, double b) {
+    if (index >= 0) {
+      x[index] = b - a;
+    }
+  };
+  for (std::size_t i = 0; i < layout_.range_offset.size(); ++i) {
+    put_one(layout_.range_offset[i], from.range_offset[i], to.range_offset[i]);
+  }
+  for (std::size_t i = 0; i < layout_.bone_scale.size(); ++i) {
+    put_one(layout_.bone_scale[i], from.bone_scale[i], to.bone_scale[i]);
+  }
+  put_one(layout_.sound_scale, from.sound_scale, to.sound_scale);
+  return x;
+}
+
 std::vector<double> BodyFilter::place_scale() const {
   std::vector<double> scale(tree_.links().size(), 1.0);
   for (std::size_t l = 0; l < scale.size(); ++l) {
@@ -216,7 +255,7 @@ std::vector<double> BodyFilter::place_scale() const {
   return scale;
 }
 
-void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepRecord* record) {
+void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepRecord* record, const BodyState* about) {
   if (record != nullptr) {
     record->predict = {};
     // Their memory is used again.
@@ -227,9 +266,16 @@ void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepR
   if (dt > 0.0) {
     predict(dt, record != nullptr ? &record->predict : nullptr);
   }
-  kinematics_.update(state_.joints, place_scale());
   correction_.setZero();
-  corrected_ = false;
+  corrected_ = about != nullptr;
+  if (about != nullptr) {
+    // The prediction becomes a correction of what is linearised about.
+    correction_ = difference(*about, state_);
+    const double time_s = state_.time_s;
+    state_ = *about;
+    state_.time_s = time_s;
+  }
+  kinematics_.update(state_.joints, place_scale());
   if (root != nullptr) {
     add_root(*root);
   }
@@ -257,6 +303,7 @@ UpdateRecord& BodyFilter::add_record(std::vector<UpdateRecord>& records) {
   UpdateRecord& record = records.emplace_back(std::move(spare_records_.back()));
   spare_records_.pop_back();
   record.e.clear();
+  record.groups.clear();
   return record;
 }
 
@@ -288,7 +335,12 @@ void BodyFilter::flush(StepRecord* record) {
   }
   MeasurementGroup* first = groups_.data();
   MeasurementGroup* last = first + used_groups_;
-  // Earlier updates of this instant have moved the state; everything is linearised where the prediction was.
+  for (const MeasurementGroup* g = first; g != last; ++g) {
+    for (int r = 0; r < g->rows; ++r) {
+      cost_ += g->innovation[r] * g->innovation[r] / g->variance[r];
+    }
+  }
+  // Earlier updates of this instant have moved the state; everything is linearised where it was before.
   for (MeasurementGroup* g = first; corrected_ && g != last; ++g) {
     for (std::size_t s = 0; s < g->support.size(); ++s) {
       for (int r = 0; r < g->rows; ++r) {
@@ -319,6 +371,9 @@ void BodyFilter::update(std::vector<MeasurementGroup>& groups, std::vector<Updat
   correction_.setZero();
   UpdateRecord* record = records != nullptr ? &add_record(*records) : nullptr;
   P_.update(groups.data(), groups.data() + groups.size(), correction_, record);
+  if (record != nullptr && record->e.empty()) {
+    records->pop_back();  // nothing was accepted
+  }
   inject(state_, correction_);
 }
 

@@ -161,8 +161,12 @@ class BodyFilter {
 
   /// Starts at rest at `time_s`, with a given root where there is one.
   void start(double time_s, const RootReading* root);
-  /// Predicts to the instant and takes its readings in; `root` where it is given.
-  void step(const BodyInstant& instant, const RootReading* root, StepRecord* record = nullptr);
+  /// Predicts to the instant and takes its readings in; `root` where it is given. What is measured is linearised about
+  /// the prediction, or about a state that is known better (of an iterated smoother, say).
+  void step(const BodyInstant& instant, const RootReading* root, StepRecord* record = nullptr,
+            const BodyState* about = nullptr);
+  /// Σ ν²/σ² of all readings at the states that steps were linearised about.
+  [[nodiscard]] double cost() const { return cost_; }
   /// One update by groups made elsewhere; innovations relative to the state as it is.
   void update(std::vector<MeasurementGroup>& groups, std::vector<UpdateRecord>* records = nullptr);
   void set_state(const BodyState& state) { state_ = state; }
@@ -170,6 +174,8 @@ class BodyFilter {
 
   /// Applies an error state to a state: what `update` does at its end, and the smoother.
   void inject(BodyState& state, const Eigen::VectorXd& x) const;
+  /// The error state that turns one state into the other: `inject` backward.
+  [[nodiscard]] Eigen::VectorXd difference(const BodyState& from, const BodyState& to) const;
 
  private:
   void predict(double dt, PredictRecord* record);
@@ -210,6 +216,7 @@ class BodyFilter {
   double gates_[4] = {0, 0, 0, 0};  // by number of rows
   double next_prior_s_ = 0.0;
   double log_likelihood_ = 0.0;
+  double cost_ = 0.0;
 };
 
 /// χ² with `freedom` degrees of freedom (1 to 3) that is exceeded with the given probability.
