@@ -103,6 +103,10 @@
         <source>Mounting on %1: %2 of %3 sensors, %4.</source>
         <translation>Befestigung an %1: %2 von %3 Sensoren, %4.</translation>
     </message>
+    <message>
+        <source>d MMM yyyy HH:mm</source>
+        <translation>d. MMM yyyy HH:mm</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -2518,6 +2522,10 @@
         <source>start with the folder of a take</source>
         <translation>starten Sie mit dem Ordner eines Takes</translation>
     </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -2646,6 +2654,61 @@
     <message>
         <source>Where every bone is in every frame, for spreadsheets and scripts</source>
         <translation>Wo jeder Knochen in jedem Bild ist, für Tabellen und Skripte</translation>
+    </message>
+</context>
+<context>
+    <name>ExportEdits</name>
+    <message>
+        <source>motion of the export</source>
+        <translation>Bewegung des Exports</translation>
+    </message>
+    <message>
+        <source>actors of the export</source>
+        <translation>Darsteller des Exports</translation>
+    </message>
+    <message>
+        <source>program of the export</source>
+        <translation>Programm des Exports</translation>
+    </message>
+    <message>
+        <source>format of the export</source>
+        <translation>Format des Exports</translation>
+    </message>
+    <message>
+        <source>frame rate of the export</source>
+        <translation>Bildrate des Exports</translation>
+    </message>
+    <message>
+        <source>range of the export</source>
+        <translation>Bereich des Exports</translation>
+    </message>
+    <message>
+        <source>way over the floor in the export</source>
+        <translation>Weg über den Boden in des Exports</translation>
+    </message>
+    <message>
+        <source>rest pose of the export</source>
+        <translation>Ruhepose des Exports</translation>
+    </message>
+    <message>
+        <source>bone names of the export</source>
+        <translation>Knochennamen des Exports</translation>
+    </message>
+    <message>
+        <source>unit of the export</source>
+        <translation>Längeneinheit des Exports</translation>
+    </message>
+    <message>
+        <source>keys of the export</source>
+        <translation>Schlüssel des Exports</translation>
+    </message>
+    <message>
+        <source>body of the export</source>
+        <translation>Körper des Exports</translation>
+    </message>
+    <message>
+        <source>file of the export</source>
+        <translation>Datei des Exports</translation>
     </message>
 </context>
 <context>
@@ -2849,8 +2912,8 @@
         <translation>noch keine Messwerte</translation>
     </message>
     <message>
-        <source>works, but was never calibrated; calibrate its range</source>
-        <translation>arbeitet, wurde aber nie kalibriert; kalibrieren Sie seinen Messbereich</translation>
+        <source>never calibrated; calibrate its range</source>
+        <translation>nie kalibriert; Bereich kalibrieren</translation>
     </message>
 </context>
 <context>
@@ -2955,11 +3018,11 @@
     </message>
     <message>
         <source>Calibrating the range</source>
-        <translation>Den Messbereich kalibrieren</translation>
+        <translation>Den Bereich kalibrieren</translation>
     </message>
     <message>
         <source>Calibrating the mounting</source>
-        <translation>Den Sitz kalibrieren</translation>
+        <translation>Die Befestigung kalibrieren</translation>
     </message>
     <message>
         <source>Recording alone</source>
@@ -2977,6 +3040,131 @@
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>language of the manual</comment>
+        <extracomment>Folder of resources/manual that holds the chapters in your language: its code, &quot;de&quot;. Without one leave it as it is.</extracomment>
+        <translation>de</translation>
+    </message>
+</context>
+<context>
+    <name>ManualPicture</name>
+    <message>
+        <source>too low</source>
+        <translation>zu niedrig</translation>
+    </message>
+    <message>
+        <source>noise is as large as the signal</source>
+        <translation>Rauschen so groß wie das Signal</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>peaks stay in the green zone</source>
+        <translation>Spitzen bleiben im Grünen</translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation>zu hoch</translation>
+    </message>
+    <message>
+        <source>peaks are cut off</source>
+        <translation>Spitzen sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>1  horizontal: forward, level, palm down</source>
+        <translation>1  waagerecht nach vorn, Handfläche nach unten</translation>
+    </message>
+    <message>
+        <source>2  vertical: hanging, palm to the rear</source>
+        <translation>2  hängend, Handfläche nach hinten</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>sensor 1: x y z</source>
+        <translation>Sensor 1: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 2: x y z</source>
+        <translation>Sensor 2: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 3: x y z</source>
+        <translation>Sensor 3: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 4: x y z</source>
+        <translation>Sensor 4: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 5: x y z</source>
+        <translation>Sensor 5: x y z</translation>
+    </message>
+    <message>
+        <source>ref.</source>
+        <translation>Ref.</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>tief</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>every face looks up once, then edges and corners: slowly, about ten seconds for a full turn</source>
+        <translation>jede Fläche einmal nach oben, dann Kanten und Ecken: langsam, etwa zehn Sekunden je Drehung</translation>
+    </message>
+    <message>
+        <source>sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>five, worn</source>
+        <translation>fünf, am Körper</translation>
+    </message>
+    <message>
+        <source>line input</source>
+        <translation>Line-Eingang</translation>
+    </message>
+    <message>
+        <source>stereo, 44.1 kHz or more</source>
+        <translation>stereo, ab 44,1 kHz</translation>
+    </message>
+    <message>
+        <source>take</source>
+        <translation>Take</translation>
+    </message>
+    <message>
+        <source>raw samples, kept</source>
+        <translation>rohe Abtastwerte</translation>
+    </message>
+    <message>
+        <source>solve</source>
+        <translation>berechnen</translation>
+    </message>
+    <message>
+        <source>skeleton, keys</source>
+        <translation>Skelett, Schlüssel</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>exportieren</translation>
+    </message>
+    <message>
+        <source>FBX, BVH, glTF, CSV</source>
+        <translation>FBX, BVH, glTF, CSV</translation>
+    </message>
 </context>
 <context>
     <name>Motions</name>
@@ -2986,7 +3174,7 @@
     </message>
     <message>
         <source>Quick turns of the forearm</source>
-        <translation>Schnelle Drehungen des Unterarms</translation>
+        <translation>Schnelle Drehungen</translation>
     </message>
     <message>
         <source>Arm raises</source>
@@ -2998,7 +3186,7 @@
     </message>
     <message>
         <source>Reaching for a glass</source>
-        <translation>Nach einem Glas greifen</translation>
+        <translation>Zum Glas greifen</translation>
     </message>
     <message>
         <source>All segments at once</source>
@@ -3090,6 +3278,29 @@
     <message>
         <source>Plain</source>
         <translation>Schlicht</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
     </message>
 </context>
 <context>
@@ -3291,7 +3502,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation>Ausgeben</translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Write the motion to a file for other programs</source>
@@ -4007,6 +4218,10 @@
         <source>Redo brings it back. Its file stays in the library&apos;s folder, ending in &quot;.removed&quot;.</source>
         <translation>„Wiederholen“ bringt sie zurück. Ihre Datei bleibt im Ordner der Bibliothek und endet auf „.removed“.</translation>
     </message>
+    <message>
+        <source>subject</source>
+        <translation>Person</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CalibrationWizard</name>
@@ -4595,6 +4810,18 @@
         <source>Meshes (*.obj *.glb *.gltf *.fbx);;All files (*)</source>
         <translation>Netze (*.obj *.glb *.gltf *.fbx);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Proposed: %1 frames a second</source>
+        <translation>Vorgeschlagen: %1 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1, as the motion has them</source>
+        <translation>%1, wie die Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ExportPresetCard</name>
@@ -4753,6 +4980,10 @@
         <source>Very long: the picture ends at %1</source>
         <translation>Sehr lang: das Bild endet bei %1</translation>
     </message>
+    <message>
+        <source>Of earlier choices; being made again</source>
+        <translation>Von früheren Angaben; wird neu gemacht</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ExportSourceCard</name>
@@ -4808,10 +5039,6 @@
 <context>
     <name>limbwave::ui::ExportSourceList</name>
     <message>
-        <source>%1 (open, with your edits)</source>
-        <translation>%1 (offen, mit Ihren Änderungen)</translation>
-    </message>
-    <message>
         <source>%1, solve “%2”</source>
         <translation>%1, Berechnung „%2“</translation>
     </message>
@@ -4826,6 +5053,10 @@
     <message>
         <source>%1: %2 (%3 of %4)</source>
         <translation>%1: %2 (%3 von %4)</translation>
+    </message>
+    <message>
+        <source>%1, as edited</source>
+        <translation>%1, wie bearbeitet</translation>
     </message>
 </context>
 <context>
@@ -4844,7 +5075,7 @@
     </message>
     <message>
         <source>It can be exported in a moment.</source>
-        <translation>Er lässt sich gleich ausgeben.</translation>
+        <translation>Er lässt sich gleich exportieren.</translation>
     </message>
     <message>
         <source>Solve the take first.</source>
@@ -5255,6 +5486,10 @@
         <source>Angle between gravity as each sensor now sees it on its limb and as the pose asks for. It holds the wearer&apos;s own inexactness too.</source>
         <translation>Winkel zwischen der Schwerkraft, wie jeder Sensor sie nun an seiner Gliedmaße sieht, und wie die Pose sie verlangt. Darin steckt auch die Ungenauigkeit der Person.</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::LimbWizardModel</name>
@@ -5368,10 +5603,6 @@
         <translation>Aufnahme einlesen …</translation>
     </message>
     <message>
-        <source>Close take</source>
-        <translation>Take schließen</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -5446,6 +5677,10 @@
     <message>
         <source>Leave it and quit</source>
         <translation>Abbrechen und beenden</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -5776,10 +6011,6 @@
         <translation>%1 hat genug; diese Richtungen würden es noch verbessern.</translation>
     </message>
     <message>
-        <source>Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.</source>
-        <translation>Bringen Sie den blauen Pfeil des Kastens nach oben; auf der Karte den weißen Punkt in den blauen Ring.</translation>
-    </message>
-    <message>
         <source>The device is back</source>
         <translation>Das Gerät ist wieder da</translation>
     </message>
@@ -5802,6 +6033,10 @@
     <message>
         <source>The device is gone: open it in Capture first.</source>
         <translation>Das Gerät ist weg: zuerst unter „Aufnehmen“ öffnen.</translation>
+    </message>
+    <message>
+        <source>Bring the blue arrow of the box to the top; on the map, the dot into the blue ring.</source>
+        <translation>Bringen Sie den blauen Pfeil des Kastens nach oben; auf der Karte den Punkt in den blauen Ring.</translation>
     </message>
 </context>
 <context>
@@ -5905,6 +6140,10 @@
     <message>
         <source>What was turned until now would not be used.</source>
         <translation>Das bisher Gedrehte würde nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>
@@ -6401,10 +6640,6 @@
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>Close the take</source>
-        <translation>Den Take schließen</translation>
-    </message>
-    <message>
         <source>Show or hide the inspector, the timeline</source>
         <translation>Inspektor, Zeitleiste ein- oder ausblenden</translation>
     </message>
@@ -6423,6 +6658,10 @@
     <message>
         <source>All keyboard shortcuts</source>
         <translation>Alle Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Close the take or the animation</source>
+        <translation>Den Take oder die Animation schließen</translation>
     </message>
 </context>
 <context>
@@ -6733,6 +6972,10 @@
     <message>
         <source>Take: %1</source>
         <translation>Take: %1</translation>
+    </message>
+    <message>
+        <source>Animation: %1</source>
+        <translation>Animation: %1</translation>
     </message>
 </context>
 <context>
@@ -7255,7 +7498,7 @@
     <name>limbwave::ui::VerdictRow</name>
     <message>
         <source>Repeat this sensor only</source>
-        <translation>Nur diesen Sensor wiederholen</translation>
+        <translation>Nur diesen wiederholen</translation>
     </message>
     <message>
         <source>Discard</source>

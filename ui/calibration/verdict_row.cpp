@@ -9,6 +9,13 @@
 
 namespace limbwave::ui {
 
+namespace {
+
+constexpr int kLeastWidth = 70 * kGrid;
+constexpr int kBesideEachOther = 130 * kGrid;  // From here on the buttons stand behind the words, else below.
+
+}  // namespace
+
 CalibrationState refused_state() {
   return {Tone::kDanger, verdict_word(calibrate::Verdict::kRepeat), {}, {}};
 }
@@ -53,7 +60,10 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   words->addWidget(text_);
   words->addWidget(comparison_);
   words->addStretch();
-  layout->addLayout(words, 1);
+  words_and_buttons_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  words_and_buttons_->setSpacing(kGrid);
+  words_and_buttons_->addLayout(words, 1);
+  layout->addLayout(words_and_buttons_, 1);
   accept_->setObjectName(QStringLiteral("accept_%1").arg(sensor));
   accept_->setCheckable(true);
   accept_->setMinimumWidth(11 * kGrid);
@@ -61,12 +71,25 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   discard_->setObjectName(QStringLiteral("discard_%1").arg(sensor));
   discard_->setCheckable(true);
   discard_->setMinimumWidth(11 * kGrid);
-  layout->addWidget(accept_);
-  layout->addWidget(repeat_);
-  layout->addWidget(discard_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGrid);
+  buttons->addWidget(accept_);
+  buttons->addWidget(repeat_);
+  buttons->addWidget(discard_);
+  buttons->addStretch();
+  words_and_buttons_->addLayout(buttons);
+  setMinimumWidth(kLeastWidth);  // Not that of the words and the buttons side by side.
   connect(accept_, &QPushButton::clicked, this, [this] { Q_EMIT accept(sensor_); });
   connect(repeat_, &QPushButton::clicked, this, [this] { Q_EMIT repeat(sensor_); });
   connect(discard_, &QPushButton::clicked, this, [this] { Q_EMIT discard(sensor_); });
+}
+
+void VerdictRow::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  const auto wanted = width() < kBesideEachOther ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (words_and_buttons_->direction() != wanted) {
+    words_and_buttons_->setDirection(wanted);
+  }
 }
 
 void VerdictRow::set_content(const VerdictRowContent& content) {

@@ -64,7 +64,7 @@ void TimelineCanvas::paint_ruler(QPainter& painter) const {
       painter.setPen(QPen(tick.major ? theme.dim : theme.line, 1));
       painter.drawLine(QPointF(x, kRulerHeight - (tick.major ? 8 : 4)), QPointF(x, kRulerHeight));
       if (tick.major) {
-        const QString label = QString::fromStdString(time_label(tick.time_s, spacing.major_s));
+        const QString label = time_text(tick.time_s, spacing.major_s);
         painter.setPen(theme.dim);
         painter.drawText(QPointF(x + 4, metrics.ascent() + 2), label);
       }
