@@ -59,7 +59,7 @@ class UndoTest : public QObject {
     const auto& calibration = take.info.calibration;
     all << (calibration ? QString::number(calibration->sensors[0].M(0, 0)) : QStringLiteral("none"));
     for (const Marker& marker : context().markers().markers()) {
-      all << QStringLiteral("%1@%2 %3").arg(marker.number).arg(marker.sample).arg(marker.text);
+      all << QStringLiteral("%1 %2").arg(marker.sample).arg(marker.text);
     }
     all << QStringLiteral("solve") << QString::number(static_cast<int>(solve().settings().smoothing))
         << QString::number(solve().settings().smoothing_s) << QString::fromStdString(solve().settings().calibration);

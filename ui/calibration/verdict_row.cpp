@@ -34,9 +34,12 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
       discard_(new QPushButton(tr("Discard"), this)) {
   setProperty("card", true);
   setObjectName(QStringLiteral("verdict_%1").arg(sensor));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * kGrid, kGrid + 4, 2 * kGrid, kGrid + 4);
+  outer_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
+  outer_->setContentsMargins(2 * kGrid, kGrid + 4, 2 * kGrid, kGrid + 4);
+  outer_->setSpacing(kGrid);
+  auto* layout = new QHBoxLayout;
   layout->setSpacing(2 * kGrid);
+  outer_->addLayout(layout, 1);
   title_->setStyleSheet(QStringLiteral("font-size: 16px;"));
   auto* names = new QWidget(this);
   names->setFixedWidth(12 * kGrid);
@@ -60,10 +63,7 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   words->addWidget(text_);
   words->addWidget(comparison_);
   words->addStretch();
-  words_and_buttons_ = new QBoxLayout(QBoxLayout::LeftToRight);
-  words_and_buttons_->setSpacing(kGrid);
-  words_and_buttons_->addLayout(words, 1);
-  layout->addLayout(words_and_buttons_, 1);
+  layout->addLayout(words, 1);
   accept_->setObjectName(QStringLiteral("accept_%1").arg(sensor));
   accept_->setCheckable(true);
   accept_->setMinimumWidth(11 * kGrid);
@@ -73,11 +73,11 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   discard_->setMinimumWidth(11 * kGrid);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kGrid);
+  buttons->addStretch();
   buttons->addWidget(accept_);
   buttons->addWidget(repeat_);
   buttons->addWidget(discard_);
-  buttons->addStretch();
-  words_and_buttons_->addLayout(buttons);
+  outer_->addLayout(buttons);
   setMinimumWidth(kLeastWidth);  // Not that of the words and the buttons side by side.
   connect(accept_, &QPushButton::clicked, this, [this] { Q_EMIT accept(sensor_); });
   connect(repeat_, &QPushButton::clicked, this, [this] { Q_EMIT repeat(sensor_); });
@@ -87,8 +87,8 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
 void VerdictRow::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
   const auto wanted = width() < kBesideEachOther ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
-  if (words_and_buttons_->direction() != wanted) {
-    words_and_buttons_->setDirection(wanted);
+  if (outer_->direction() != wanted) {
+    outer_->setDirection(wanted);
   }
 }
 

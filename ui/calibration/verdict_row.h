@@ -47,7 +47,7 @@ class VerdictRow : public QFrame {
   SphereMap* map_;
   QLabel* text_;
   QLabel* comparison_;
-  QBoxLayout* words_and_buttons_ = nullptr;
+  QBoxLayout* outer_ = nullptr;
   QPushButton* accept_;
   QPushButton* repeat_;
   QPushButton* discard_;

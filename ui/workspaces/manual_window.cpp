@@ -177,8 +177,9 @@ void ManualBrowser::show_markdown(const QString& markdown) {
       format.setTopMargin(format.headingLevel() == 1 ? 0 : 3 * kGrid);
       format.setBottomMargin(1.5 * kGrid);
     } else {
-      format.setBottomMargin(kGrid);
+      format.setBottomMargin(format.hasProperty(QTextFormat::BlockCodeFence) ? 2 : kGrid);
     }
+    format.setNonBreakableLines(false);  // A long command goes on in the next line.
     QTextCursor(block).setBlockFormat(format);
     for (auto it = block.begin(); !it.atEnd(); ++it) {
       const bool anchor = it.fragment().charFormat().isAnchor();

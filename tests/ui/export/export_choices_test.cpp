@@ -251,6 +251,18 @@ class ExportChoicesTest : public QObject {
     QVERIFY(!studio_->says("Of earlier choices"));
   }
 
+  void what_is_overtaken_while_it_is_made_is_never_shown() {
+    open();
+    for (const char* rate : {"24 ", "25 ", "30 ", "50 ", "24 "}) {
+      QVERIFY(studio_->pick("Frame rate", rate));
+      QTest::qWait(130);  // It is being made just now.
+    }
+    QVERIFY(studio_->pick("Frame rate", "25 "));
+    QVERIFY(!model().up_to_date());
+    QVERIFY(studio_->settle());
+    QCOMPARE(model().prepared()->report.fps, 25.0);
+  }
+
   void a_failure_is_gone_with_the_choices_it_was_of() {
     SolveServices services = solving_->services();
     services.export_file = [](std::span<const motion::Clip* const>, const std::filesystem::path& path,

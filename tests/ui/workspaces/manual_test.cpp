@@ -110,7 +110,7 @@ class ManualTest : public QObject {
       manual.show_chapter(chapter);
       QTest::qWait(30);
       QVERIFY(manual.grab().save(screenshot_path(QStringLiteral("manual-german-") + chapter + suffix)));
-      QVERIFY(!manual.findChild<ManualBrowser*>()->horizontalScrollBar()->isVisible());
+      QVERIFY2(!manual.findChild<ManualBrowser*>()->horizontalScrollBar()->isVisible(), qPrintable(chapter));
       QApplication::removeTranslator(&translator);
       QVERIFY2(german.text.size() > 300 && german.text != english.text, qPrintable(chapter));
       QVERIFY2(german.text.contains(QRegularExpression(QStringLiteral("[äöüß]"))), qPrintable(chapter));

@@ -12,6 +12,15 @@ namespace {
 
 constexpr int kPrepareAfterMs = 120;  // A spin box that is still moving does not start one at every step.
 
+// What is wrong and what to do. The clip's name as the place says nothing here; a file's does.
+QString refusal_text(const Error& error) {
+  const QString place = QString::fromStdString(error.place);
+  const bool file = place.contains(QLatin1Char('/')) || place.contains(QLatin1Char('.'));
+  const QString what =
+      file ? QStringLiteral("%1: %2.").arg(place, core_text(error.message)) : core_sentence(error.message);
+  return QStringList{what, core_sentence(error.remedy)}.join(QLatin1Char(' ')).trimmed();
+}
+
 }  // namespace
 
 /// All that a job needs, so that it touches nothing of the window's.
@@ -171,6 +180,12 @@ ExportModel::Work ExportModel::work() const {
 void ExportModel::touch() {
   stale_ = true;
   refusal_.reset();
+  if (preparing_) {
+    ++attempt_;  // What is being made is of other choices already.
+    preparing_->cancel();
+    preparing_.clear();
+    Q_EMIT prepared_changed();
+  }
   if (!has_source()) {
     forget_prepared();
   } else if (active_) {
@@ -264,7 +279,7 @@ QString ExportModel::problem() const {
     return wrong;
   }
   if (refusal_ && !is_cancelled(*refusal_)) {
-    return core_sentence(refusal_->text());
+    return refusal_text(*refusal_);
   }
   const ExportFormat format = export_format(choices_.format);
   const std::filesystem::path file = file_.trimmed().toStdString();

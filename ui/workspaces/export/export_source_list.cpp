@@ -64,9 +64,9 @@ void ExportSourceList::offer(const std::string& wanted) {
   const auto same =
       std::find_if(offered_.begin(), offered_.end(), [&](const ExportSource& one) { return one.key() == wanted; });
   const bool found = same != offered_.end();
-  const bool take = take_first_ && !offered_.empty() && offered_.front().kind == ExportSource::Kind::kOpenSolve;
-  take_first_ = take_first_ && !take;
-  chosen_ = found && !take ? static_cast<int>(same - offered_.begin()) : (offered_.empty() ? -1 : 0);
+  const bool opened = take_first_ && !offered_.empty() && offered_.front().kind == ExportSource::Kind::kOpenSolve;
+  take_first_ = take_first_ && !opened;
+  chosen_ = found && !opened ? static_cast<int>(same - offered_.begin()) : (offered_.empty() ? -1 : 0);
   name_animation();
   if (!found || source()->key() != before) {
     show_extent();
