@@ -3,9 +3,11 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "common/icons.h"
 #include "common/theme.h"
@@ -16,6 +18,39 @@
 #include "workspaces/solve/solve_workspace.h"
 
 namespace limbwave::ui {
+
+namespace {
+
+/// Scrolls up and down and is never narrower than what is in it: nothing is cut off at the right.
+class InspectorArea : public QScrollArea {
+ public:
+  InspectorArea() {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  }
+  void follow(QWidget* content) {
+    setWidget(content);
+    content->installEventFilter(this);
+    make_room();
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest && watched == widget()) {
+      make_room();
+    }
+    return QScrollArea::eventFilter(watched, event);
+  }
+
+ private:
+  void make_room() {
+    setMinimumWidth(
+        std::max(32 * kGrid, widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()));
+  }
+};
+
+}  // namespace
 
 QWidget* SolveWorkspace::make_toolbar() {
   auto* bar = new QWidget(this);
@@ -109,10 +144,7 @@ QWidget* SolveWorkspace::make_main_page() {
 }
 
 QWidget* SolveWorkspace::create_inspector() {
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* area = new InspectorArea;
   auto* content = new QWidget(area);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
@@ -131,7 +163,7 @@ QWidget* SolveWorkspace::create_inspector() {
   connect(&model_, &SolveModel::shows_live_changed, of_take,
           [this, of_take] { of_take->setVisible(!model_.shows_live()); });
   of_take->setVisible(!model_.shows_live());
-  area->setWidget(content);
+  area->follow(content);
   return area;
 }
 
