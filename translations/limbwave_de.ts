@@ -5014,7 +5014,7 @@
     </message>
     <message>
         <source>Use the library&apos;s calibration</source>
-        <translation>Kalibrierung der Bibliothek verwenden</translation>
+        <translation>Aus der Bibliothek nehmen</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -5026,7 +5026,7 @@
     </message>
     <message>
         <source>Mounting: angle between the poses, 90° is right</source>
-        <translation>Befestigung: Winkel zwischen den Posen, richtig sind 90°</translation>
+        <translation>Befestigung: Winkel der Posen, richtig 90°</translation>
     </message>
     <message>
         <source>Running capture: %1.</source>

@@ -7,7 +7,6 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "common/icons.h"
 #include "common/theme.h"
@@ -32,21 +31,19 @@ class InspectorArea : public QScrollArea {
   void follow(QWidget* content) {
     setWidget(content);
     content->installEventFilter(this);
-    make_room();
+  }
+
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    const int content = widget() == nullptr ? 0 : widget()->minimumSizeHint().width();
+    return {content + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
   }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() == QEvent::LayoutRequest && watched == widget()) {
-      make_room();
+      updateGeometry();
     }
     return QScrollArea::eventFilter(watched, event);
-  }
-
- private:
-  void make_room() {
-    setMinimumWidth(
-        std::max(32 * kGrid, widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()));
   }
 };
 
