@@ -3538,6 +3538,14 @@
         <source>the end of the line</source>
         <translation>das Ende der Zeile</translation>
     </message>
+    <message>
+        <source>the cost of the whole take fell by %1 % in %2 rounds</source>
+        <translation>die Kosten des ganzen Takes fielen in %2 Runden um %1 %</translation>
+    </message>
+    <message>
+        <source>noises by the likelihood of the first %1 s: %2; its logarithm rose by %3</source>
+        <translation>Rauschen nach der Likelihood der ersten %1 s: %2; ihr Logarithmus stieg um %3</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
