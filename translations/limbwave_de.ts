@@ -2534,22 +2534,6 @@
         <translation>starten Sie eine</translation>
     </message>
     <message>
-        <source>Driver box on %1%2</source>
-        <translation>Treiberbox an %1%2</translation>
-    </message>
-    <message>
-        <source>Driver box emulator %1</source>
-        <translation>Emulator einer Treiberbox %1</translation>
-    </message>
-    <message>
-        <source>%1 as a driver box</source>
-        <translation>%1 als Treiberbox</translation>
-    </message>
-    <message>
-        <source>wire %1 was pulled before</source>
-        <translation>Kabel %1 war vorher schon gezogen</translation>
-    </message>
-    <message>
         <source>%1 up</source>
         <translation>%1 nach oben</translation>
     </message>
@@ -3567,11 +3551,27 @@
     </message>
     <message>
         <source>the cost of the whole take fell by %1 % in %2 rounds</source>
-        <translation>die Kosten der ganzen Aufnahme sanken in %2 Runden um %1 %</translation>
+        <translation>die Kosten des ganzen Takes fielen in %2 Runden um %1 %</translation>
     </message>
     <message>
         <source>noises by the likelihood of the first %1 s: %2; its logarithm rose by %3</source>
-        <translation>Rauschgrößen nach der Wahrscheinlichkeit der ersten %1 s: %2; ihr Logarithmus stieg um %3</translation>
+        <translation>Rauschen nach der Likelihood der ersten %1 s: %2; ihr Logarithmus stieg um %3</translation>
+    </message>
+    <message>
+        <source>Driver box on %1%2</source>
+        <translation>Treiberbox an %1%2</translation>
+    </message>
+    <message>
+        <source>Driver box emulator %1</source>
+        <translation>Emulator einer Treiberbox %1</translation>
+    </message>
+    <message>
+        <source>%1 as a driver box</source>
+        <translation>%1 als Treiberbox</translation>
+    </message>
+    <message>
+        <source>wire %1 was pulled before</source>
+        <translation>Kabel %1 war vorher schon gezogen</translation>
     </message>
 </context>
 <context>
@@ -5183,7 +5183,7 @@
     </message>
     <message>
         <source>Use the library&apos;s calibration</source>
-        <translation>Kalibrierung der Bibliothek verwenden</translation>
+        <translation>Aus der Bibliothek nehmen</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -5195,7 +5195,7 @@
     </message>
     <message>
         <source>Mounting: angle between the poses, 90° is right</source>
-        <translation>Befestigung: Winkel zwischen den Posen, richtig sind 90°</translation>
+        <translation>Befestigung: Winkel der Posen, richtig 90°</translation>
     </message>
     <message>
         <source>Running capture: %1.</source>
