@@ -3538,6 +3538,14 @@
         <source>the end of the line</source>
         <translation>das Ende der Zeile</translation>
     </message>
+    <message>
+        <source>the cost of the whole take fell by %1 % in %2 rounds</source>
+        <translation>die Kosten des ganzen Takes fielen in %2 Runden um %1 %</translation>
+    </message>
+    <message>
+        <source>noises by the likelihood of the first %1 s: %2; its logarithm rose by %3</source>
+        <translation>Rauschen nach der Likelihood der ersten %1 s: %2; ihr Logarithmus stieg um %3</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -5014,7 +5022,7 @@
     </message>
     <message>
         <source>Use the library&apos;s calibration</source>
-        <translation>Kalibrierung der Bibliothek verwenden</translation>
+        <translation>Aus der Bibliothek nehmen</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -5026,7 +5034,7 @@
     </message>
     <message>
         <source>Mounting: angle between the poses, 90° is right</source>
-        <translation>Befestigung: Winkel zwischen den Posen, richtig sind 90°</translation>
+        <translation>Befestigung: Winkel der Posen, richtig 90°</translation>
     </message>
     <message>
         <source>Running capture: %1.</source>
