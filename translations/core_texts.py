@@ -16,9 +16,11 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "ui/common/core_texts.h"
 # Whose words a user of the studio meets. What only the command line can bring about stays English.
-FOLDERS = ["base", "acquire", "decode", "body", "calibrate", "estimate", "take", "solve"]
+FOLDERS = ["base", "acquire", "decode", "body", "calibrate", "estimate", "motion", "interchange", "take", "solve"]
 # Not for people: keys, names of settings, what the program says to other programs.
-SKIPPED = re.compile(r"^(WAVE|RIFF|schema )|\.json$|^[\w.-]+\.[a-z]+$")
+SKIPPED = re.compile(
+    r"^(WAVE|RIFF|schema |Producer |Lcl |MOTION\n|CHANNELS |End Site\n|Kaydara |FBX is little|glTF is little)|\.json$|^[\w.-]+\.[a-z]+$"
+)
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'
 
 

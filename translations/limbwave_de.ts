@@ -103,6 +103,10 @@
         <source>Mounting on %1: %2 of %3 sensors, %4.</source>
         <translation>Befestigung an %1: %2 von %3 Sensoren, %4.</translation>
     </message>
+    <message>
+        <source>d MMM yyyy HH:mm</source>
+        <translation>d. MMM yyyy HH:mm</translation>
+    </message>
 </context>
 <context>
     <name>Core</name>
@@ -2518,6 +2522,1022 @@
         <source>start with the folder of a take</source>
         <translation>starten Sie mit dem Ordner eines Takes</translation>
     </message>
+    <message>
+        <source>%1 up</source>
+        <translation>%1 nach oben</translation>
+    </message>
+    <message>
+        <source>the skeletons have %1 and %2 segments</source>
+        <translation>die Skelette haben %1 und %2 Segmente</translation>
+    </message>
+    <message>
+        <source>join clips of the same skeleton</source>
+        <translation>Clips desselben Skeletts verbinden</translation>
+    </message>
+    <message>
+        <source>segment %1 is &quot;%2&quot; in one clip and &quot;%3&quot; in the other</source>
+        <translation>Segment %1 heißt im einen Clip „%2“ und im anderen „%3“</translation>
+    </message>
+    <message>
+        <source>reducing keys</source>
+        <translation>Schlüssel werden verringert</translation>
+    </message>
+    <message>
+        <source>export the mesh again from the program that made it</source>
+        <translation>das Netz aus seinem Programm noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>%1 vertices have %2 normals, %3 rows of bones and %4 of weights</source>
+        <translation>%1 Punkte haben %2 Normalen, %3 Zeilen mit Knochen und %4 mit Gewichten</translation>
+    </message>
+    <message>
+        <source>%1 bind poses for %2 bones</source>
+        <translation>%1 Bindeposen für %2 Knochen</translation>
+    </message>
+    <message>
+        <source>vertex %1 has a number that is not finite</source>
+        <translation>Punkt %1 hat eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>triangle %1 has a corner beyond the %2 vertices</source>
+        <translation>Dreieck %1 hat eine Ecke jenseits der %2 Punkte</translation>
+    </message>
+    <message>
+        <source>vertex %1 has a wrong bone or weight</source>
+        <translation>Punkt %1 hat einen falschen Knochen oder ein falsches Gewicht</translation>
+    </message>
+    <message>
+        <source>the weights of vertex %1 sum to %2, not 1</source>
+        <translation>die Gewichte von Punkt %1 ergeben zusammen %2 statt 1</translation>
+    </message>
+    <message>
+        <source>finding bones</source>
+        <translation>Knochen werden gesucht</translation>
+    </message>
+    <message>
+        <source>choose a mesh of triangles that stands around the skeleton</source>
+        <translation>ein Netz aus Dreiecken wählen, das um das Skelett herum steht</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles</source>
+        <translation>das Netz hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>there is no skeleton to bind it to</source>
+        <translation>es gibt kein Skelett, an das es gebunden werden könnte</translation>
+    </message>
+    <message>
+        <source>vertex %1 is not a number</source>
+        <translation>Punkt %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>triangle %1 has a corner that does not exist</source>
+        <translation>Dreieck %1 hat eine Ecke, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the equations of the skin cannot be solved</source>
+        <translation>die Gleichungen der Haut lassen sich nicht lösen</translation>
+    </message>
+    <message>
+        <source>repair the mesh: close holes, merge slivers</source>
+        <translation>das Netz ausbessern: Löcher schließen, Splitter verschmelzen</translation>
+    </message>
+    <message>
+        <source>spreading heat</source>
+        <translation>Wärme wird verteilt</translation>
+    </message>
+    <message>
+        <source>is no animation that can be read</source>
+        <translation>ist keine Animation, die sich lesen lässt</translation>
+    </message>
+    <message>
+        <source>choose a .bvh, .glb, .gltf, .vrm or .fbx file</source>
+        <translation>eine Datei mit .bvh, .glb, .gltf, .vrm oder .fbx wählen</translation>
+    </message>
+    <message>
+        <source>is no bone of a person</source>
+        <translation>ist kein Knochen eines Menschen</translation>
+    </message>
+    <message>
+        <source>the bones are listed in resources/bone_maps/README.md</source>
+        <translation>die Knochen stehen in resources/bone_maps/README.md</translation>
+    </message>
+    <message>
+        <source>is empty or stands for two bones</source>
+        <translation>ist leer oder steht für zwei Knochen</translation>
+    </message>
+    <message>
+        <source>give every bone a name of its own</source>
+        <translation>jedem Knochen einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>is no object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>write it as %1</source>
+        <translation>es als %1 schreiben</translation>
+    </message>
+    <message>
+        <source>HIERARCHY, with which a BVH file starts</source>
+        <translation>HIERARCHY, womit eine BVH-Datei beginnt</translation>
+    </message>
+    <message>
+        <source>check that it is a BVH file</source>
+        <translation>prüfen, ob es eine BVH-Datei ist</translation>
+    </message>
+    <message>
+        <source>a second ROOT</source>
+        <translation>ein zweites ROOT</translation>
+    </message>
+    <message>
+        <source>write one person per file</source>
+        <translation>jede Person in eine eigene Datei schreiben</translation>
+    </message>
+    <message>
+        <source>check that the file is whole</source>
+        <translation>prüfen, ob die Datei vollständig ist</translation>
+    </message>
+    <message>
+        <source>%1 joint(s) without OFFSET, first &quot;%2&quot;, are taken to be at their parent</source>
+        <translation>%1 Gelenk(e) ohne OFFSET, zuerst „%2“, werden beim übergeordneten angenommen</translation>
+    </message>
+    <message>
+        <source>%1 stands where %2 belongs</source>
+        <translation>%1 steht, wo %2 hingehört</translation>
+    </message>
+    <message>
+        <source>check the hierarchy there</source>
+        <translation>die Hierarchie dort prüfen</translation>
+    </message>
+    <message>
+        <source>the file ends inside joint &quot;%1&quot;</source>
+        <translation>die Datei endet mitten in Gelenk „%1“</translation>
+    </message>
+    <message>
+        <source>OFFSET, CHANNELS, JOINT, End Site or }</source>
+        <translation>OFFSET, CHANNELS, JOINT, End Site oder }</translation>
+    </message>
+    <message>
+        <source>check the braces of the hierarchy</source>
+        <translation>die Klammern der Hierarchie prüfen</translation>
+    </message>
+    <message>
+        <source>a number of OFFSET</source>
+        <translation>eine Zahl von OFFSET</translation>
+    </message>
+    <message>
+        <source>give three numbers with decimal points</source>
+        <translation>drei Zahlen mit Dezimalpunkt angeben</translation>
+    </message>
+    <message>
+        <source>an OFFSET of %1 is no bone&apos;s</source>
+        <translation>ein OFFSET von %1 gehört zu keinem Knochen</translation>
+    </message>
+    <message>
+        <source>a number of channels from 0 to 6</source>
+        <translation>eine Zahl von Kanälen von 0 bis 6</translation>
+    </message>
+    <message>
+        <source>count the channels that follow</source>
+        <translation>die folgenden Kanäle zählen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has CHANNELS twice</source>
+        <translation>„%1“ hat zweimal CHANNELS</translation>
+    </message>
+    <message>
+        <source>leave one of them</source>
+        <translation>eines davon stehen lassen</translation>
+    </message>
+    <message>
+        <source>the name of a channel</source>
+        <translation>der Name eines Kanals</translation>
+    </message>
+    <message>
+        <source>use Xposition to Zposition and Xrotation to Zrotation</source>
+        <translation>Xposition bis Zposition und Xrotation bis Zrotation verwenden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 twice</source>
+        <translation>„%1“ hat zweimal %2</translation>
+    </message>
+    <message>
+        <source>list every channel once</source>
+        <translation>jeden Kanal einmal aufführen</translation>
+    </message>
+    <message>
+        <source>joints slide in their parents, &quot;%1&quot; by %2 mm; the skeleton has their mean places</source>
+        <translation>Gelenke gleiten gegen ihr übergeordnetes, „%1“ um %2 mm; das Skelett hat ihre mittleren Plätze</translation>
+    </message>
+    <message>
+        <source>check that the disk has room, and export again</source>
+        <translation>prüfen, ob auf der Platte Platz ist, und noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>has no frames</source>
+        <translation>hat keine Bilder</translation>
+    </message>
+    <message>
+        <source>says that it has %1 frames and has %2</source>
+        <translation>nennt %1 Bilder und hat %2</translation>
+    </message>
+    <message>
+        <source>%1 (behind frame %2)</source>
+        <translation>%1 (hinter Bild %2)</translation>
+    </message>
+    <message>
+        <source>&quot;Frames:&quot; and &quot;Frame Time:&quot; must follow MOTION</source>
+        <translation>auf MOTION müssen „Frames:“ und „Frame Time:“ folgen</translation>
+    </message>
+    <message>
+        <source>%1 stands where a number belongs</source>
+        <translation>%1 steht, wo eine Zahl hingehört</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of frames</source>
+        <translation>%1 ist keine Zahl von Bildern</translation>
+    </message>
+    <message>
+        <source>count the lines that follow</source>
+        <translation>die folgenden Zeilen zählen</translation>
+    </message>
+    <message>
+        <source>a Frame Time of %1 s makes no sense</source>
+        <translation>eine Frame Time von %1 s ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>give the seconds from frame to frame, for example 0.0166667</source>
+        <translation>die Sekunden von Bild zu Bild angeben, zum Beispiel 0.0166667</translation>
+    </message>
+    <message>
+        <source>frame %1 has %2 values instead of %3</source>
+        <translation>Bild %1 hat %2 Werte statt %3</translation>
+    </message>
+    <message>
+        <source>check the CHANNELS of the hierarchy and that the file is whole</source>
+        <translation>die CHANNELS der Hierarchie prüfen und ob die Datei vollständig ist</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>write numbers with a decimal point and spaces between them</source>
+        <translation>Zahlen mit Dezimalpunkt und mit Leerzeichen dazwischen schreiben</translation>
+    </message>
+    <message>
+        <source>frame %1 has more than %2 values</source>
+        <translation>Bild %1 hat mehr als %2 Werte</translation>
+    </message>
+    <message>
+        <source>check the CHANNELS of the hierarchy</source>
+        <translation>die CHANNELS der Hierarchie prüfen</translation>
+    </message>
+    <message>
+        <source>the file breaks off inside its last frame</source>
+        <translation>die Datei bricht mitten in ihrem letzten Bild ab</translation>
+    </message>
+    <message>
+        <source>check that it was copied whole</source>
+        <translation>prüfen, ob sie ganz kopiert wurde</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>the file says %1 frames and has %2</source>
+        <translation>die Datei nennt %1 Bilder und hat %2</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text</source>
+        <translation>ist Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>%1 metres per unit is not a scale</source>
+        <translation>%1 Meter je Einheit ist kein Maßstab</translation>
+    </message>
+    <message>
+        <source>give a positive number</source>
+        <translation>eine positive Zahl angeben</translation>
+    </message>
+    <message>
+        <source>no joint has channels</source>
+        <translation>kein Gelenk hat Kanäle</translation>
+    </message>
+    <message>
+        <source>the pose of &quot;%1&quot; at %2 s is not a number</source>
+        <translation>die Pose von „%1“ bei %2 s ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the clip has no skeleton</source>
+        <translation>der Clip hat kein Skelett</translation>
+    </message>
+    <message>
+        <source>solve the take first</source>
+        <translation>zuerst den Take berechnen</translation>
+    </message>
+    <message>
+        <source>%1 is not a frame rate</source>
+        <translation>%1 ist keine Bildrate</translation>
+    </message>
+    <message>
+        <source>give the frames per second, for example 60</source>
+        <translation>die Bilder je Sekunde angeben, zum Beispiel 60</translation>
+    </message>
+    <message>
+        <source>%1 s at %2 frames per second are too many frames</source>
+        <translation>%1 s mit %2 Bildern je Sekunde sind zu viele Bilder</translation>
+    </message>
+    <message>
+        <source>write fewer frames per second or a part of it</source>
+        <translation>weniger Bilder je Sekunde oder nur einen Teil schreiben</translation>
+    </message>
+    <message>
+        <source>the keys of &quot;%1&quot; are not whole</source>
+        <translation>die Schlüssel von „%1“ sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>the key times of &quot;%1&quot; do not increase from 0</source>
+        <translation>die Zeiten der Schlüssel von „%1“ steigen nicht von 0 an</translation>
+    </message>
+    <message>
+        <source>%1 joints move, but the skeleton has %2</source>
+        <translation>%1 Gelenke bewegen sich, aber das Skelett hat %2</translation>
+    </message>
+    <message>
+        <source>the rest pose of &quot;%1&quot; is not a pose</source>
+        <translation>die Ruhepose von „%1“ ist keine Pose</translation>
+    </message>
+    <message>
+        <source>correct the skeleton</source>
+        <translation>das Skelett berichtigen</translation>
+    </message>
+    <message>
+        <source>there is no clip to write</source>
+        <translation>es gibt keinen Clip zu schreiben</translation>
+    </message>
+    <message>
+        <source>solve a take first, or choose a clip</source>
+        <translation>zuerst einen Take berechnen oder einen Clip wählen</translation>
+    </message>
+    <message>
+        <source>%1 s at %2 frames per second are too many rows</source>
+        <translation>%1 s mit %2 Bildern je Sekunde sind zu viele Zeilen</translation>
+    </message>
+    <message>
+        <source>the written file cannot be read back: %1</source>
+        <translation>die geschriebene Datei lässt sich nicht zurücklesen: %1</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s there is nothing; it is %3 s long</source>
+        <translation>von %1 s bis %2 s ist nichts; er ist %3 s lang</translation>
+    </message>
+    <message>
+        <source>choose a part inside the clip</source>
+        <translation>einen Teil innerhalb des Clips wählen</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>has an ending that cannot be written</source>
+        <translation>hat eine Endung, die sich nicht schreiben lässt</translation>
+    </message>
+    <message>
+        <source>use .fbx, .glb, .gltf, .vrm, .bvh or .csv</source>
+        <translation>.fbx, .glb, .gltf, .vrm, .bvh oder .csv verwenden</translation>
+    </message>
+    <message>
+        <source>nothing is to be exported</source>
+        <translation>es ist nichts zu exportieren</translation>
+    </message>
+    <message>
+        <source>choose a clip</source>
+        <translation>einen Clip wählen</translation>
+    </message>
+    <message>
+        <source>one file of this format holds one actor</source>
+        <translation>eine Datei dieses Formats fasst einen Darsteller</translation>
+    </message>
+    <message>
+        <source>export every actor to a file of its own</source>
+        <translation>jeden Darsteller in eine eigene Datei exportieren</translation>
+    </message>
+    <message>
+        <source>give the frames per second</source>
+        <translation>die Bilder je Sekunde angeben</translation>
+    </message>
+    <message>
+        <source>a curve of &quot;%1&quot; has no keys</source>
+        <translation>eine Kurve von „%1“ hat keine Schlüssel</translation>
+    </message>
+    <message>
+        <source>a curve of &quot;%1&quot;</source>
+        <translation>eine Kurve von „%1“</translation>
+    </message>
+    <message>
+        <source>%1 has %2 times and %3 values</source>
+        <translation>%1 hat %2 Zeiten und %3 Werte</translation>
+    </message>
+    <message>
+        <source>the key times of %1 do not increase</source>
+        <translation>die Zeiten der Schlüssel von %1 steigen nicht an</translation>
+    </message>
+    <message>
+        <source>%1 has a key that is absurd or no number</source>
+        <translation>%1 hat einen Schlüssel, der unsinnig oder keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>%1 has no whole keys</source>
+        <translation>%1 hat keine vollständigen Schlüssel</translation>
+    </message>
+    <message>
+        <source>%1 does not say how it goes from key to key</source>
+        <translation>%1 sagt nicht, wie es von Schlüssel zu Schlüssel geht</translation>
+    </message>
+    <message>
+        <source>%1 has keys that cannot be unpacked or do not increase</source>
+        <translation>%1 hat Schlüssel, die sich nicht entpacken lassen oder nicht ansteigen</translation>
+    </message>
+    <message>
+        <source>%1 has tangents that are not given</source>
+        <translation>%1 hat Tangenten, die nicht angegeben sind</translation>
+    </message>
+    <message>
+        <source>%1 does not say how it goes on after every key</source>
+        <translation>%1 sagt nicht, wie es nach jedem Schlüssel weitergeht</translation>
+    </message>
+    <message>
+        <source>it has %1 nodes, %2 animations and %3 skins</source>
+        <translation>sie hat %1 Knoten, %2 Animationen und %3 Häute</translation>
+    </message>
+    <message>
+        <source>its animation is too long to be read</source>
+        <translation>ihre Animation ist zu lang zum Lesen</translation>
+    </message>
+    <message>
+        <source>the animation of &quot;%1&quot; has more keys than can be read</source>
+        <translation>die Animation von „%1“ hat mehr Schlüssel, als sich lesen lassen</translation>
+    </message>
+    <message>
+        <source>the mesh &quot;%1&quot;</source>
+        <translation>das Netz „%1“</translation>
+    </message>
+    <message>
+        <source>%1 has no vertices or no polygons</source>
+        <translation>%1 hat keine Punkte oder keine Vielecke</translation>
+    </message>
+    <message>
+        <source>%1 has vertices that are not three sane numbers each</source>
+        <translation>%1 hat Punkte, die nicht je drei sinnvolle Zahlen sind</translation>
+    </message>
+    <message>
+        <source>%1 is bound absurdly far away</source>
+        <translation>%1 ist unsinnig weit weg gebunden</translation>
+    </message>
+    <message>
+        <source>%1 has a corner at vertex %2 of %3</source>
+        <translation>%1 hat eine Ecke an Punkt %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 has a polygon without an end, or none</source>
+        <translation>%1 hat ein Vieleck ohne Ende oder keines</translation>
+    </message>
+    <message>
+        <source>%1 has no %2 matrix</source>
+        <translation>%1 hat keine Matrix %2</translation>
+    </message>
+    <message>
+        <source>%1 has a %2 matrix that is none</source>
+        <translation>%1 hat eine Matrix %2, die keine ist</translation>
+    </message>
+    <message>
+        <source>the skin of &quot;%1&quot; on &quot;%2&quot;</source>
+        <translation>die Haut von „%1“ an „%2“</translation>
+    </message>
+    <message>
+        <source>%1 has a bone of no size</source>
+        <translation>%1 hat einen Knochen ohne Größe</translation>
+    </message>
+    <message>
+        <source>%1 has %2 vertices and %3 weights</source>
+        <translation>%1 hat %2 Punkte und %3 Gewichte</translation>
+    </message>
+    <message>
+        <source>%1 moves vertex %2 of %3</source>
+        <translation>%1 bewegt Punkt %2 von %3</translation>
+    </message>
+    <message>
+        <source>has no bones</source>
+        <translation>hat keine Knochen</translation>
+    </message>
+    <message>
+        <source>export the skeleton along with the animation</source>
+        <translation>das Skelett zusammen mit der Animation exportieren</translation>
+    </message>
+    <message>
+        <source>has several layers of animation</source>
+        <translation>hat mehrere Ebenen von Animation</translation>
+    </message>
+    <message>
+        <source>bake them into one</source>
+        <translation>sie in eine backen</translation>
+    </message>
+    <message>
+        <source>%1 has a number that is absurd or none</source>
+        <translation>%1 hat eine Zahl, die unsinnig oder keine ist</translation>
+    </message>
+    <message>
+        <source>has bones that are absurdly far away</source>
+        <translation>hat Knochen, die unsinnig weit weg sind</translation>
+    </message>
+    <message>
+        <source>check its unit and scale</source>
+        <translation>Einheit und Maßstab prüfen</translation>
+    </message>
+    <message>
+        <source>has %1 skeletons, one with %2 bones</source>
+        <translation>hat %1 Skelette, eines mit %2 Knochen</translation>
+    </message>
+    <message>
+        <source>export only what is to be animated</source>
+        <translation>nur exportieren, was animiert werden soll</translation>
+    </message>
+    <message>
+        <source>cannot be understood (%1)</source>
+        <translation>ist nicht zu verstehen (%1)</translation>
+    </message>
+    <message>
+        <source>is FBX as text</source>
+        <translation>ist FBX als Text</translation>
+    </message>
+    <message>
+        <source>is not an FBX file</source>
+        <translation>ist keine FBX-Datei</translation>
+    </message>
+    <message>
+        <source>save it as binary FBX</source>
+        <translation>als binäres FBX speichern</translation>
+    </message>
+    <message>
+        <source>is FBX of version %1.%2</source>
+        <translation>ist FBX der Version %1.%2</translation>
+    </message>
+    <message>
+        <source>save it as FBX 2011 or newer (7.1 to 7.7)</source>
+        <translation>als FBX 2011 oder neuer (7.1 bis 7.7) speichern</translation>
+    </message>
+    <message>
+        <source>a record is cut off</source>
+        <translation>ein Eintrag ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>there is something behind the last record of a group</source>
+        <translation>hinter dem letzten Eintrag einer Gruppe steht noch etwas</translation>
+    </message>
+    <message>
+        <source>a record reaches beyond its place</source>
+        <translation>ein Eintrag reicht über seinen Platz hinaus</translation>
+    </message>
+    <message>
+        <source>there are more records than any program writes</source>
+        <translation>es sind mehr Einträge, als ein Programm schreibt</translation>
+    </message>
+    <message>
+        <source>records lie in each other deeper than any program writes</source>
+        <translation>Einträge liegen tiefer ineinander, als ein Programm schreibt</translation>
+    </message>
+    <message>
+        <source>a record&apos;s properties have another size than it says</source>
+        <translation>die Eigenschaften eines Eintrags haben eine andere Größe, als er sagt</translation>
+    </message>
+    <message>
+        <source>a record ends elsewhere than it says</source>
+        <translation>ein Eintrag endet woanders, als er sagt</translation>
+    </message>
+    <message>
+        <source>a property is missing</source>
+        <translation>eine Eigenschaft fehlt</translation>
+    </message>
+    <message>
+        <source>a property is of no known type</source>
+        <translation>eine Eigenschaft hat keinen bekannten Typ</translation>
+    </message>
+    <message>
+        <source>a property is cut off</source>
+        <translation>eine Eigenschaft ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>an array does not have the size that it says</source>
+        <translation>eine Liste hat nicht die Größe, die sie nennt</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, Byte %2</translation>
+    </message>
+    <message>
+        <source>check that the file is whole, or export it again</source>
+        <translation>prüfen, ob die Datei vollständig ist, oder sie noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of numbers</source>
+        <translation>%1 ist keine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>its lists of numbers are too long to be read</source>
+        <translation>ihre Zahlenlisten sind zu lang zum Lesen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be unpacked to %2 numbers</source>
+        <translation>%1 lässt sich nicht zu %2 Zahlen entpacken</translation>
+    </message>
+    <message>
+        <source>there are no objects in it</source>
+        <translation>es sind keine Objekte darin</translation>
+    </message>
+    <message>
+        <source>there are more connections than any program writes</source>
+        <translation>es sind mehr Verbindungen, als ein Programm schreibt</translation>
+    </message>
+    <message>
+        <source>bones hang on each other deeper than in any skeleton</source>
+        <translation>Knochen hängen tiefer aneinander als in jedem Skelett</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; hangs on itself</source>
+        <translation>„%1“ hängt an sich selbst</translation>
+    </message>
+    <message>
+        <source>the clip does not fit into an FBX 7.4 file (4 GB)</source>
+        <translation>der Clip passt nicht in eine Datei in FBX 7.4 (4 GB)</translation>
+    </message>
+    <message>
+        <source>cut it into shorter ones or write fewer frames a second</source>
+        <translation>ihn in kürzere teilen oder weniger Bilder je Sekunde schreiben</translation>
+    </message>
+    <message>
+        <source>it has %1 nodes</source>
+        <translation>sie hat %1 Knoten</translation>
+    </message>
+    <message>
+        <source>export it again from the program that made it</source>
+        <translation>aus ihrem Programm noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>/nodes/%1/children: node %2 does not exist</source>
+        <translation>/nodes/%1/children: Knoten %2 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>/nodes/%1: is the child of two nodes</source>
+        <translation>/nodes/%1: hängt an zwei Knoten</translation>
+    </message>
+    <message>
+        <source>/nodes/%1: is its own ancestor</source>
+        <translation>/nodes/%1: ist sein eigener Vorfahr</translation>
+    </message>
+    <message>
+        <source>/skins/%1/joints: node %2 does not exist</source>
+        <translation>/skins/%1/joints: Knoten %2 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is scaled differently along its axes; the mean counts</source>
+        <translation>„%1“ ist entlang seiner Achsen verschieden skaliert; es gilt das Mittel</translation>
+    </message>
+    <message>
+        <source>apply the scale in the program that made it</source>
+        <translation>die Skalierung in seinem Programm anwenden</translation>
+    </message>
+    <message>
+        <source>/nodes/%1: its place or scale is not a usable number</source>
+        <translation>/nodes/%1: sein Ort oder Maßstab ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>does not fit into a glTF file (4 GB)</source>
+        <translation>passt nicht in eine glTF-Datei (4 GB)</translation>
+    </message>
+    <message>
+        <source>export a part of it or fewer frames a second</source>
+        <translation>einen Teil oder weniger Bilder je Sekunde exportieren</translation>
+    </message>
+    <message>
+        <source>cannot be written as glTF</source>
+        <translation>lässt sich nicht als glTF schreiben</translation>
+    </message>
+    <message>
+        <source>export again</source>
+        <translation>noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>node %1 gets its %2 from two channels</source>
+        <translation>Knoten %1 bekommt sein %2 aus zwei Kanälen</translation>
+    </message>
+    <message>
+        <source>movement of &quot;%1&quot; is left out</source>
+        <translation>Bewegung von „%1“ wird weggelassen</translation>
+    </message>
+    <message>
+        <source>bake it into rotations and translations of bones</source>
+        <translation>sie in Drehungen und Verschiebungen von Knochen backen</translation>
+    </message>
+    <message>
+        <source>its sampler does not exist</source>
+        <translation>seinen Sampler gibt es nicht</translation>
+    </message>
+    <message>
+        <source>its keys are not whole</source>
+        <translation>seine Schlüssel sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>it has more keys than can be read</source>
+        <translation>er hat mehr Schlüssel, als sich lesen lassen</translation>
+    </message>
+    <message>
+        <source>the time of key %1 is not later than the one before</source>
+        <translation>die Zeit von Schlüssel %1 liegt nicht nach der davor</translation>
+    </message>
+    <message>
+        <source>key %1 is not a usable number</source>
+        <translation>Schlüssel %1 ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>has no skeleton</source>
+        <translation>hat kein Skelett</translation>
+    </message>
+    <message>
+        <source>export it with its armature</source>
+        <translation>zusammen mit dem Skelett exportieren</translation>
+    </message>
+    <message>
+        <source>has %1 skeletons and %2 animations</source>
+        <translation>hat %1 Skelette und %2 Animationen</translation>
+    </message>
+    <message>
+        <source>node &quot;%1&quot;</source>
+        <translation>Knoten „%1“</translation>
+    </message>
+    <message>
+        <source>its mesh or skin does not exist</source>
+        <translation>sein Netz oder seine Haut gibt es nicht</translation>
+    </message>
+    <message>
+        <source>its inverse bind matrices are not whole</source>
+        <translation>seine inversen Bindematrizen sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>inverse bind matrix %1 cannot be used</source>
+        <translation>die inverse Bindematrix %1 ist nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>joint %1 hangs on another tree than joint 0</source>
+        <translation>Gelenk %1 hängt an einem anderen Baum als Gelenk 0</translation>
+    </message>
+    <message>
+        <source>is no list of triangles and is left out</source>
+        <translation>ist keine Liste von Dreiecken und wird weggelassen</translation>
+    </message>
+    <message>
+        <source>its positions are not whole</source>
+        <translation>seine Positionen sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>there are more vertices than can be read</source>
+        <translation>es sind mehr Punkte, als sich lesen lassen</translation>
+    </message>
+    <message>
+        <source>its joints and weights are not whole</source>
+        <translation>seine Gelenke und Gewichte sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>has a skin but no joints and weights</source>
+        <translation>hat eine Haut, aber keine Gelenke und Gewichte</translation>
+    </message>
+    <message>
+        <source>vertices follow more than four bones; the four strongest are kept</source>
+        <translation>Punkte folgen mehr als vier Knochen; die vier stärksten bleiben</translation>
+    </message>
+    <message>
+        <source>vertex %1 follows joint %2 of %3</source>
+        <translation>Punkt %1 folgt Gelenk %2 von %3</translation>
+    </message>
+    <message>
+        <source>its indices are not whole</source>
+        <translation>seine Indizes sind nicht vollständig</translation>
+    </message>
+    <message>
+        <source>there are more triangles than can be read</source>
+        <translation>es sind mehr Dreiecke, als sich lesen lassen</translation>
+    </message>
+    <message>
+        <source>index %1 is %2 of %3 vertices</source>
+        <translation>Index %1 ist %2 von %3 Punkten</translation>
+    </message>
+    <message>
+        <source>is not a glTF file</source>
+        <translation>ist keine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>is cut off</source>
+        <translation>ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is glTF version %1</source>
+        <translation>ist glTF der Version %1</translation>
+    </message>
+    <message>
+        <source>use glTF 2.0</source>
+        <translation>glTF 2.0 verwenden</translation>
+    </message>
+    <message>
+        <source>is cut off or has something behind its end</source>
+        <translation>ist abgeschnitten oder hat hinter dem Ende noch etwas</translation>
+    </message>
+    <message>
+        <source>refers to a file elsewhere, %1</source>
+        <translation>verweist auf eine Datei anderswo, %1</translation>
+    </message>
+    <message>
+        <source>is not valid glTF (%1)</source>
+        <translation>ist kein gültiges glTF (%1)</translation>
+    </message>
+    <message>
+        <source>an animation channel leads nowhere</source>
+        <translation>ein Animationskanal führt nirgendwohin</translation>
+    </message>
+    <message>
+        <source>the keys of an animation channel are not whole or not of the kind that Limbwave writes</source>
+        <translation>die Schlüssel eines Animationskanals sind nicht vollständig oder nicht von der Art, die Limbwave schreibt</translation>
+    </message>
+    <message>
+        <source>check that the file was not changed</source>
+        <translation>prüfen, ob die Datei geändert wurde</translation>
+    </message>
+    <message>
+        <source>is not a clip that Limbwave wrote</source>
+        <translation>ist kein Clip, den Limbwave geschrieben hat</translation>
+    </message>
+    <message>
+        <source>use one from a take&apos;s solves</source>
+        <translation>einen aus den Berechnungen eines Takes verwenden</translation>
+    </message>
+    <message>
+        <source>%1: scenes/0/extras</source>
+        <translation>%1: scenes/0/extras</translation>
+    </message>
+    <message>
+        <source>is not step, linear or cubic</source>
+        <translation>ist weder step noch linear noch cubic</translation>
+    </message>
+    <message>
+        <source>it has fewer nodes than its skeleton has segments</source>
+        <translation>er hat weniger Knoten, als sein Skelett Segmente hat</translation>
+    </message>
+    <message>
+        <source>the times of its keys do not increase</source>
+        <translation>die Zeiten seiner Schlüssel steigen nicht an</translation>
+    </message>
+    <message>
+        <source>a key is not a number</source>
+        <translation>ein Schlüssel ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 times and %3 values</source>
+        <translation>„%1“ hat %2 Zeiten und %3 Werte</translation>
+    </message>
+    <message>
+        <source>a take&apos;s clip has no place for %1</source>
+        <translation>der Clip eines Takes hat keinen Platz für %1</translation>
+    </message>
+    <message>
+        <source>export it to a file of its own</source>
+        <translation>in eine eigene Datei exportieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, which slides</source>
+        <translation>„%1“, das gleitet</translation>
+    </message>
+    <message>
+        <source>joints without a bone</source>
+        <translation>Gelenke ohne Knochen</translation>
+    </message>
+    <message>
+        <source>velocities and ways of single keys</source>
+        <translation>Geschwindigkeiten und Wege einzelner Schlüssel</translation>
+    </message>
+    <message>
+        <source>the rest pose of &quot;%1&quot; is not a number</source>
+        <translation>die Ruhepose von „%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>root position</source>
+        <translation>Ort der Wurzel</translation>
+    </message>
+    <message>
+        <source>the clip does not fit into a glTF file (4 GB)</source>
+        <translation>der Clip passt nicht in eine glTF-Datei (4 GB)</translation>
+    </message>
+    <message>
+        <source>cut it into shorter ones</source>
+        <translation>ihn in kürzere teilen</translation>
+    </message>
+    <message>
+        <source>the clip cannot be written as glTF</source>
+        <translation>der Clip lässt sich nicht als glTF schreiben</translation>
+    </message>
+    <message>
+        <source>save the mesh as .obj, .glb or .fbx</source>
+        <translation>das Netz als .obj, .glb oder .fbx speichern</translation>
+    </message>
+    <message>
+        <source>is no mesh that can be read</source>
+        <translation>ist kein Netz, das sich lesen lässt</translation>
+    </message>
+    <message>
+        <source>save it as .obj, .glb or .fbx</source>
+        <translation>als .obj, .glb oder .fbx speichern</translation>
+    </message>
+    <message>
+        <source>cannot be read as a mesh (%1)</source>
+        <translation>lässt sich nicht als Netz lesen (%1)</translation>
+    </message>
+    <message>
+        <source>has more than ten million triangles</source>
+        <translation>hat mehr als zehn Millionen Dreiecke</translation>
+    </message>
+    <message>
+        <source>simplify it first</source>
+        <translation>es zuerst vereinfachen</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>choose a file with a mesh</source>
+        <translation>eine Datei mit einem Netz wählen</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>das Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>use one of %1</source>
+        <translation>eines von %1 verwenden</translation>
+    </message>
+    <message>
+        <source>puts movement on a root bone that is not there</source>
+        <translation>legt Bewegung auf einen Wurzelknochen, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>set &quot;root&quot; to &quot;bone&quot;</source>
+        <translation>„root“ auf „bone“ setzen</translation>
+    </message>
+    <message>
+        <source>%1 needs bones that the skeleton lacks: %2</source>
+        <translation>%1 braucht Knochen, die dem Skelett fehlen: %2</translation>
+    </message>
+    <message>
+        <source>capture a whole body, choose another preset, or name the bones in a bone map</source>
+        <translation>einen ganzen Körper aufnehmen, eine andere Vorgabe wählen oder die Knochen in einer Namensliste benennen</translation>
+    </message>
+    <message>
+        <source>export a clip with a skeleton</source>
+        <translation>einen Clip mit Skelett exportieren</translation>
+    </message>
+    <message>
+        <source>nothing was written; choose another format or preset, and report this file</source>
+        <translation>es wurde nichts geschrieben; ein anderes Format oder eine andere Vorgabe wählen und diese Datei melden</translation>
+    </message>
+    <message>
+        <source>the written file has &quot;%1&quot; %2 mm away from where it belongs at frame %3 (%4 s)</source>
+        <translation>die geschriebene Datei hat „%1“ in Bild %3 (%4 s) um %2 mm neben seinem Platz</translation>
+    </message>
+    <message>
+        <source>the written file has %1 actors instead of %2</source>
+        <translation>die geschriebene Datei hat %1 Darsteller statt %2</translation>
+    </message>
+    <message>
+        <source>the written file has %1 bones instead of %2</source>
+        <translation>die geschriebene Datei hat %1 Knochen statt %2</translation>
+    </message>
+    <message>
+        <source>the written file ends before frame %1</source>
+        <translation>die geschriebene Datei endet vor Bild %1</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>das Ende der Datei</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>das Ende der Zeile</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -2646,6 +3666,61 @@
     <message>
         <source>Where every bone is in every frame, for spreadsheets and scripts</source>
         <translation>Wo jeder Knochen in jedem Bild ist, für Tabellen und Skripte</translation>
+    </message>
+</context>
+<context>
+    <name>ExportEdits</name>
+    <message>
+        <source>motion of the export</source>
+        <translation>Bewegung des Exports</translation>
+    </message>
+    <message>
+        <source>actors of the export</source>
+        <translation>Darsteller des Exports</translation>
+    </message>
+    <message>
+        <source>program of the export</source>
+        <translation>Programm des Exports</translation>
+    </message>
+    <message>
+        <source>format of the export</source>
+        <translation>Format des Exports</translation>
+    </message>
+    <message>
+        <source>frame rate of the export</source>
+        <translation>Bildrate des Exports</translation>
+    </message>
+    <message>
+        <source>range of the export</source>
+        <translation>Bereich des Exports</translation>
+    </message>
+    <message>
+        <source>way over the floor in the export</source>
+        <translation>Weg über den Boden in des Exports</translation>
+    </message>
+    <message>
+        <source>rest pose of the export</source>
+        <translation>Ruhepose des Exports</translation>
+    </message>
+    <message>
+        <source>bone names of the export</source>
+        <translation>Knochennamen des Exports</translation>
+    </message>
+    <message>
+        <source>unit of the export</source>
+        <translation>Längeneinheit des Exports</translation>
+    </message>
+    <message>
+        <source>keys of the export</source>
+        <translation>Schlüssel des Exports</translation>
+    </message>
+    <message>
+        <source>body of the export</source>
+        <translation>Körper des Exports</translation>
+    </message>
+    <message>
+        <source>file of the export</source>
+        <translation>Datei des Exports</translation>
     </message>
 </context>
 <context>
@@ -2849,8 +3924,8 @@
         <translation>noch keine Messwerte</translation>
     </message>
     <message>
-        <source>works, but was never calibrated; calibrate its range</source>
-        <translation>arbeitet, wurde aber nie kalibriert; kalibrieren Sie seinen Messbereich</translation>
+        <source>never calibrated; calibrate its range</source>
+        <translation>nie kalibriert; Bereich kalibrieren</translation>
     </message>
 </context>
 <context>
@@ -2955,11 +4030,11 @@
     </message>
     <message>
         <source>Calibrating the range</source>
-        <translation>Den Messbereich kalibrieren</translation>
+        <translation>Den Bereich kalibrieren</translation>
     </message>
     <message>
         <source>Calibrating the mounting</source>
-        <translation>Den Sitz kalibrieren</translation>
+        <translation>Die Befestigung kalibrieren</translation>
     </message>
     <message>
         <source>Recording alone</source>
@@ -2977,6 +4052,131 @@
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>language of the manual</comment>
+        <extracomment>Folder of resources/manual that holds the chapters in your language: its code, &quot;de&quot;. Without one leave it as it is.</extracomment>
+        <translation>de</translation>
+    </message>
+</context>
+<context>
+    <name>ManualPicture</name>
+    <message>
+        <source>too low</source>
+        <translation>zu niedrig</translation>
+    </message>
+    <message>
+        <source>noise is as large as the signal</source>
+        <translation>Rauschen so groß wie das Signal</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>peaks stay in the green zone</source>
+        <translation>Spitzen bleiben im Grünen</translation>
+    </message>
+    <message>
+        <source>too high</source>
+        <translation>zu hoch</translation>
+    </message>
+    <message>
+        <source>peaks are cut off</source>
+        <translation>Spitzen sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>1  horizontal: forward, level, palm down</source>
+        <translation>1  waagerecht nach vorn, Handfläche nach unten</translation>
+    </message>
+    <message>
+        <source>2  vertical: hanging, palm to the rear</source>
+        <translation>2  hängend, Handfläche nach hinten</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>sensor 1: x y z</source>
+        <translation>Sensor 1: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 2: x y z</source>
+        <translation>Sensor 2: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 3: x y z</source>
+        <translation>Sensor 3: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 4: x y z</source>
+        <translation>Sensor 4: x y z</translation>
+    </message>
+    <message>
+        <source>sensor 5: x y z</source>
+        <translation>Sensor 5: x y z</translation>
+    </message>
+    <message>
+        <source>ref.</source>
+        <translation>Ref.</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>tief</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>every face looks up once, then edges and corners: slowly, about ten seconds for a full turn</source>
+        <translation>jede Fläche einmal nach oben, dann Kanten und Ecken: langsam, etwa zehn Sekunden je Drehung</translation>
+    </message>
+    <message>
+        <source>sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>five, worn</source>
+        <translation>fünf, am Körper</translation>
+    </message>
+    <message>
+        <source>line input</source>
+        <translation>Line-Eingang</translation>
+    </message>
+    <message>
+        <source>stereo, 44.1 kHz or more</source>
+        <translation>stereo, ab 44,1 kHz</translation>
+    </message>
+    <message>
+        <source>take</source>
+        <translation>Take</translation>
+    </message>
+    <message>
+        <source>raw samples, kept</source>
+        <translation>rohe Abtastwerte</translation>
+    </message>
+    <message>
+        <source>solve</source>
+        <translation>berechnen</translation>
+    </message>
+    <message>
+        <source>skeleton, keys</source>
+        <translation>Skelett, Schlüssel</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>exportieren</translation>
+    </message>
+    <message>
+        <source>FBX, BVH, glTF, CSV</source>
+        <translation>FBX, BVH, glTF, CSV</translation>
+    </message>
 </context>
 <context>
     <name>Motions</name>
@@ -2986,7 +4186,7 @@
     </message>
     <message>
         <source>Quick turns of the forearm</source>
-        <translation>Schnelle Drehungen des Unterarms</translation>
+        <translation>Schnelle Drehungen</translation>
     </message>
     <message>
         <source>Arm raises</source>
@@ -2998,7 +4198,7 @@
     </message>
     <message>
         <source>Reaching for a glass</source>
-        <translation>Nach einem Glas greifen</translation>
+        <translation>Zum Glas greifen</translation>
     </message>
     <message>
         <source>All segments at once</source>
@@ -3090,6 +4290,29 @@
     <message>
         <source>Plain</source>
         <translation>Schlicht</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
     </message>
 </context>
 <context>
@@ -3291,7 +4514,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation>Ausgeben</translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Write the motion to a file for other programs</source>
@@ -4007,6 +5230,10 @@
         <source>Redo brings it back. Its file stays in the library&apos;s folder, ending in &quot;.removed&quot;.</source>
         <translation>„Wiederholen“ bringt sie zurück. Ihre Datei bleibt im Ordner der Bibliothek und endet auf „.removed“.</translation>
     </message>
+    <message>
+        <source>subject</source>
+        <translation>Person</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::CalibrationWizard</name>
@@ -4595,6 +5822,18 @@
         <source>Meshes (*.obj *.glb *.gltf *.fbx);;All files (*)</source>
         <translation>Netze (*.obj *.glb *.gltf *.fbx);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Proposed: %1 frames a second</source>
+        <translation>Vorgeschlagen: %1 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1, as the motion has them</source>
+        <translation>%1, wie die Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ExportPresetCard</name>
@@ -4753,6 +5992,10 @@
         <source>Very long: the picture ends at %1</source>
         <translation>Sehr lang: das Bild endet bei %1</translation>
     </message>
+    <message>
+        <source>Of earlier choices; being made again</source>
+        <translation>Von früheren Angaben; wird neu gemacht</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::ExportSourceCard</name>
@@ -4808,10 +6051,6 @@
 <context>
     <name>limbwave::ui::ExportSourceList</name>
     <message>
-        <source>%1 (open, with your edits)</source>
-        <translation>%1 (offen, mit Ihren Änderungen)</translation>
-    </message>
-    <message>
         <source>%1, solve “%2”</source>
         <translation>%1, Berechnung „%2“</translation>
     </message>
@@ -4826,6 +6065,10 @@
     <message>
         <source>%1: %2 (%3 of %4)</source>
         <translation>%1: %2 (%3 von %4)</translation>
+    </message>
+    <message>
+        <source>%1, as edited</source>
+        <translation>%1, wie bearbeitet</translation>
     </message>
 </context>
 <context>
@@ -4844,7 +6087,7 @@
     </message>
     <message>
         <source>It can be exported in a moment.</source>
-        <translation>Er lässt sich gleich ausgeben.</translation>
+        <translation>Er lässt sich gleich exportieren.</translation>
     </message>
     <message>
         <source>Solve the take first.</source>
@@ -5255,6 +6498,10 @@
         <source>Angle between gravity as each sensor now sees it on its limb and as the pose asks for. It holds the wearer&apos;s own inexactness too.</source>
         <translation>Winkel zwischen der Schwerkraft, wie jeder Sensor sie nun an seiner Gliedmaße sieht, und wie die Pose sie verlangt. Darin steckt auch die Ungenauigkeit der Person.</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::LimbWizardModel</name>
@@ -5368,10 +6615,6 @@
         <translation>Aufnahme einlesen …</translation>
     </message>
     <message>
-        <source>Close take</source>
-        <translation>Take schließen</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -5446,6 +6689,10 @@
     <message>
         <source>Leave it and quit</source>
         <translation>Abbrechen und beenden</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -5776,10 +7023,6 @@
         <translation>%1 hat genug; diese Richtungen würden es noch verbessern.</translation>
     </message>
     <message>
-        <source>Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.</source>
-        <translation>Bringen Sie den blauen Pfeil des Kastens nach oben; auf der Karte den weißen Punkt in den blauen Ring.</translation>
-    </message>
-    <message>
         <source>The device is back</source>
         <translation>Das Gerät ist wieder da</translation>
     </message>
@@ -5802,6 +7045,10 @@
     <message>
         <source>The device is gone: open it in Capture first.</source>
         <translation>Das Gerät ist weg: zuerst unter „Aufnehmen“ öffnen.</translation>
+    </message>
+    <message>
+        <source>Bring the blue arrow of the box to the top; on the map, the dot into the blue ring.</source>
+        <translation>Bringen Sie den blauen Pfeil des Kastens nach oben; auf der Karte den Punkt in den blauen Ring.</translation>
     </message>
 </context>
 <context>
@@ -5905,6 +7152,10 @@
     <message>
         <source>What was turned until now would not be used.</source>
         <translation>Das bisher Gedrehte würde nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>
@@ -6401,10 +7652,6 @@
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>Close the take</source>
-        <translation>Den Take schließen</translation>
-    </message>
-    <message>
         <source>Show or hide the inspector, the timeline</source>
         <translation>Inspektor, Zeitleiste ein- oder ausblenden</translation>
     </message>
@@ -6423,6 +7670,10 @@
     <message>
         <source>All keyboard shortcuts</source>
         <translation>Alle Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Close the take or the animation</source>
+        <translation>Den Take oder die Animation schließen</translation>
     </message>
 </context>
 <context>
@@ -6733,6 +7984,10 @@
     <message>
         <source>Take: %1</source>
         <translation>Take: %1</translation>
+    </message>
+    <message>
+        <source>Animation: %1</source>
+        <translation>Animation: %1</translation>
     </message>
 </context>
 <context>
@@ -7255,7 +8510,7 @@
     <name>limbwave::ui::VerdictRow</name>
     <message>
         <source>Repeat this sensor only</source>
-        <translation>Nur diesen Sensor wiederholen</translation>
+        <translation>Nur diesen wiederholen</translation>
     </message>
     <message>
         <source>Discard</source>

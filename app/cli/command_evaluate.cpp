@@ -184,6 +184,9 @@ void add_evaluate(CLI::App& app, Console& console) {
       row(name, statistics);
     }
     row("all", evaluation.all);
+    if (evaluation.still_fraction > 0.0) {
+      row(fmt::format("held still {:.0f} %", 100.0 * evaluation.still_fraction), evaluation.still);
+    }
   });
 }
 

@@ -1,7 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
 #include "solve/solve.h"
@@ -44,6 +48,80 @@ void print_rig(const take::TakeInfo& info, Console& console) {
   }
 }
 
+// Movements that a calibration can be made from, as segments of the take tell of them.
+struct Movement {
+  std::string procedure;  // "range" or "limb", as `limbwave calibrate` has them
+  std::string group;      // of a limb
+  std::vector<std::pair<std::string, const take::TakeSegment*>> parts;  // with the pose's name; null: not in the take
+
+  [[nodiscard]] bool complete() const {
+    return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part.second != nullptr; });
+  }
+};
+
+std::vector<Movement> movements_of(const take::TakeInfo& info) {
+  const auto find = [&info](const std::string& name) -> const take::TakeSegment* {
+    const auto found = std::find_if(info.segments.begin(), info.segments.end(),
+                                    [&](const take::TakeSegment& one) { return one.name == name; });
+    return found == info.segments.end() || found->count.value <= 0 ? nullptr : &*found;
+  };
+  std::vector<Movement> movements;
+  if (const take::TakeSegment* range = find(solve::kRangeSegment)) {
+    movements.push_back({"range", "", {{"turning", range}}});
+  }
+  for (const body::CalibrationGroup& group : info.rig.groups) {
+    Movement limb{"limb",
+                  group.name,
+                  {{group.first.name, find(solve::pose_segment(group, 0))},
+                   {group.second.name, find(solve::pose_segment(group, 1))}}};
+    if (limb.parts[0].second != nullptr || limb.parts[1].second != nullptr) {
+      movements.push_back(std::move(limb));
+    }
+  }
+  return movements;
+}
+
+nlohmann::json movements_to_json(const take::TakeInfo& info) {
+  nlohmann::json movements = nlohmann::json::array();
+  for (const Movement& movement : movements_of(info)) {
+    nlohmann::json parts = nlohmann::json::array();
+    for (const auto& [name, segment] : movement.parts) {
+      if (segment != nullptr) {
+        parts.push_back({{"name", name},
+                         {"start_s", info.format.rate.seconds(segment->first).value},
+                         {"seconds", info.format.rate.seconds(segment->count).value}});
+      }
+    }
+    nlohmann::json one{{"procedure", movement.procedure}, {"complete", movement.complete()}, {"parts", parts}};
+    if (!movement.group.empty()) {
+      one["group"] = movement.group;
+    }
+    movements.push_back(std::move(one));
+  }
+  return movements;
+}
+
+void print_movements(const take::TakeInfo& info, Console& console) {
+  const std::vector<Movement> movements = movements_of(info);
+  for (const Movement& movement : movements) {
+    std::vector<std::string> parts;
+    for (const auto& [name, segment] : movement.parts) {
+      if (segment == nullptr) {
+        parts.push_back(name + " is missing");
+      } else {
+        const double begin = info.format.rate.seconds(segment->first).value;
+        parts.push_back(
+            fmt::format("{} {:.2f} to {:.2f} s", name, begin, begin + info.format.rate.seconds(segment->count).value));
+      }
+    }
+    console.print(fmt::format("calibration movement {:<15} {}", movement.group.empty() ? "range" : movement.group,
+                              fmt::join(parts, ", ")));
+  }
+  if (movements.empty()) {
+    console.print("no calibration movements in the take");
+  }
+}
+
 void print_info(const take::Take& take, bool as_json, Console& console) {
   const take::TakeInfo& info = take.info;
   const double seconds = static_cast<double>(info.frames) / info.format.rate.hz;
@@ -75,6 +153,7 @@ void print_info(const take::Take& take, bool as_json, Console& console) {
                         {"skeleton", info.skeleton.name},
                         {"calibrated", is_calibrated(info)},
                         {"groups", groups_to_json(info.rig)},
+                        {"calibration_movements", movements_to_json(info)},
                         {"segments", segments},
                         {"events", events},
                         {"solves", solve::list_solves(take)},
@@ -89,6 +168,7 @@ void print_info(const take::Take& take, bool as_json, Console& console) {
   console.print(fmt::format("rig {}, skeleton {}, {}", info.rig.name, info.skeleton.name,
                             is_calibrated(info) ? "with its calibration" : "no calibration in the take"));
   print_rig(info, console);
+  print_movements(info, console);
   for (const take::TakeSegment& segment : info.segments) {
     console.print(fmt::format("segment {:<28} {:8.2f} s  {:8.2f} s long", segment.name,
                               info.format.rate.seconds(segment.first).value,

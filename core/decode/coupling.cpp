@@ -73,6 +73,7 @@ void CouplingEstimator::add(const CycleMeasurement& cycle, const std::array<doub
   }
   window_[waiting_++] = {cycle, levels};
   if (waiting_ < kWindow) {
+    estimate();
     return;
   }
   // Slope = −κ (level − c) + motion: the levels two cycles before and after tell the motion, to fourth order.
@@ -94,20 +95,21 @@ void CouplingEstimator::add(const CycleMeasurement& cycle, const std::array<doub
     const double step = window_[2].levels[j] - window_[2].levels[j == 0 ? last : j - 1];
     data_.add(middle.slots[j].mean, middle.slots[j].slope - motion, step);
   }
+  estimate();
 }
 
-DecayRegression::Estimate CouplingEstimator::data() const {
+void CouplingEstimator::estimate() {
   // Two channels of a card are built alike, with capacitors of 10 % or so.
-  const DecayRegression::Estimate prior = counter_.estimate();
-  DecayRegression::Estimate own = data_.estimate();
+  counter_estimate_ = counter_.estimate();
+  const DecayRegression::Estimate& prior = counter_estimate_;
+  const DecayRegression::Estimate own = data_.estimate();
   const double prior_sd = std::hypot(0.15 * prior.kappa, prior.sd) + 1e-6;
   const double own_weight = 1.0 / (own.sd * own.sd + 1e-24);
   const double prior_weight = 1.0 / (prior_sd * prior_sd);
-  DecayRegression::Estimate result;
-  result.kappa = std::max(0.0, (own.kappa * own_weight + prior.kappa * prior_weight) / (own_weight + prior_weight));
-  result.sd = std::sqrt(1.0 / (own_weight + prior_weight));
-  result.offset = own.offset;
-  return result;
+  data_estimate_.kappa =
+      std::max(0.0, (own.kappa * own_weight + prior.kappa * prior_weight) / (own_weight + prior_weight));
+  data_estimate_.sd = std::sqrt(1.0 / (own_weight + prior_weight));
+  data_estimate_.offset = own.offset;
 }
 
 }  // namespace limbwave::decode

@@ -41,17 +41,20 @@ class CouplingEstimator {
   void add(const CycleMeasurement& cycle, const std::array<double, kMaxSlots>& levels, int slots);
   /// The next cycle does not follow the last one.
   void unlink() { waiting_ = 0; }
-  [[nodiscard]] DecayRegression::Estimate counter() const { return counter_.estimate(); }
+  [[nodiscard]] DecayRegression::Estimate counter() const { return counter_estimate_; }
   /// Data channel, prior included; kappa is not negative.
-  [[nodiscard]] DecayRegression::Estimate data() const;
+  [[nodiscard]] DecayRegression::Estimate data() const { return data_estimate_; }
 
  private:
   struct Waiting {
     CycleMeasurement cycle;
     std::array<double, kMaxSlots> levels{};
   };
+  void estimate();
+
   double memory_cycles_;
   DecayRegression counter_, data_;
+  DecayRegression::Estimate counter_estimate_, data_estimate_;  // asked for several times a cycle
   static constexpr std::size_t kWindow = 5;
   std::array<Waiting, kWindow> window_;  // the newest cycles in a row, newest last
   std::size_t waiting_ = 0;

@@ -7,6 +7,13 @@
 #include "base/units.h"
 
 namespace limbwave::decode {
+namespace {
+
+// Until hum on the counter is found, it looks as if somebody turned the knob a little to and fro.
+constexpr int kHumIsFound = 60;     // cycles
+constexpr double kHumAtMost = 0.1;  // of the swing
+
+}  // namespace
 
 CycleDecoder::CycleDecoder(const LineInFormat& format, SampleRate rate, const LineInParameters& parameters,
                            double memory_cycles, FindingLog& log)
@@ -16,6 +23,7 @@ CycleDecoder::CycleDecoder(const LineInFormat& format, SampleRate rate, const Li
       meter_(format, parameters.settle_fraction),
       coupling_(memory_cycles),
       hum_(rate),
+      counter_hum_(rate),
       monitor_(format, rate, log) {}
 
 void CycleDecoder::start(const LineJudgement& judgement, std::int64_t judged_until) {
@@ -25,6 +33,9 @@ void CycleDecoder::start(const LineJudgement& judgement, std::int64_t judged_unt
   swing_ = SwingTracker(judgement.swing, judgement.right_inverted);
   reference_ = ReferenceFilter();
   hum_ = HumTracker(rate_);
+  counter_hum_ = HumTracker(rate_);
+  first_swing_ = judgement.swing;
+  cycles_ = 0;
   meter_.unlink();
   left_inverted_ = judgement.left_inverted;
   judged_until_ = static_cast<double>(judged_until);
@@ -33,6 +44,7 @@ void CycleDecoder::start(const LineJudgement& judgement, std::int64_t judged_unt
 void CycleDecoder::unlink() {
   meter_.unlink();
   hum_.unlink();
+  counter_hum_.unlink();
   reference_.restart();
   coupling_.unlink();
 }
@@ -46,12 +58,26 @@ DecayRegression::Estimate CycleDecoder::data_coupling() const {
   return estimate;
 }
 
+// The counter's halves are slots of a channel whose reference is its high half; its height should not move either.
+void CycleDecoder::still_counter(CycleMeasurement& measured, double kappa) {
+  CycleMeasurement halves;
+  halves.bounds = measured.bounds;
+  halves.linked = measured.linked;
+  halves.slots[0] = measured.low;
+  halves.slots[1] = measured.high;
+  counter_hum_.step(halves, 2, kappa, !measured.counter_clipped);
+  measured.low.mean = halves.slots[0].mean;
+  measured.high.mean = halves.slots[1].mean;
+}
+
 void CycleDecoder::decode(const CycleBounds& bounds, const ChannelView& data, const ChannelView& counter,
                           LineInCycle& out) {
   const int slots = format_.slots;
   const auto last = static_cast<std::size_t>(slots - 1);
   CycleMeasurement measured = meter_.measure(bounds, data, counter);
-  SwingTracker::Reading gain = swing_.step(measured, coupling_.counter());
+  const DecayRegression::Estimate counter_coupling = coupling_.counter();
+  still_counter(measured, counter_coupling.kappa);
+  SwingTracker::Reading gain = swing_.step(measured, counter_coupling);
   // The reference does not move: when it seems to, the gain or a plug did.
   const double restless = std::sqrt(measured.slots[last].variance);
   gain.usable = gain.usable && restless < std::max(6.0 * noise_, kRestless * gain.swing);
@@ -88,7 +114,13 @@ void CycleDecoder::decode(const CycleBounds& bounds, const ChannelView& data, co
   clipped_slots_ += std::popcount(out.clipped);
   was_usable_ = gain.usable;
 
-  monitor_.step(out, measured.counter_clipped, gain);
+  SwingTracker::Reading told = gain;
+  if (cycles_ < kHumIsFound && std::fabs(gain.swing / first_swing_ - 1.0) < kHumAtMost) {
+    told.moved = false;
+    told.usable = true;
+  }
+  ++cycles_;
+  monitor_.step(out, measured.counter_clipped, told);
   if (out.valid) {
     monitor_.watch_clicks(out, clicks);
   }

@@ -46,6 +46,8 @@ class CycleDecoder {
 
  private:
   [[nodiscard]] DecayRegression::Estimate data_coupling() const;
+  /// Takes hum out of the counter's levels; `kappa` of its channel.
+  void still_counter(CycleMeasurement& measured, double kappa);
 
   LineInFormat format_;
   SampleRate rate_;
@@ -55,11 +57,14 @@ class CycleDecoder {
   ReferenceFilter reference_;
   SwingTracker swing_{0.0, false};
   ClickGuard clicks_{0.0};
-  HumTracker hum_;
+  HumTracker hum_;          // of the sensors' channel
+  HumTracker counter_hum_;  // of the counter's
   LineMonitor monitor_;
   bool left_inverted_ = false;
   double judged_until_ = -std::numeric_limits<double>::infinity();
   double noise_ = 0.0;
+  double first_swing_ = 0.0;
+  int cycles_ = 0;  // since the start
   bool was_usable_ = true;
   std::int64_t clipped_slots_ = 0;
 };

@@ -45,9 +45,23 @@ void HumTracker::fit(Mains& mains) const {
   const Matrix normal = mains.normal + 1e-3 * weight_ * Matrix::Identity();
   const Eigen::LDLT<Matrix> factors(normal);
   const Vector solution = factors.solve(mains.right);
-  const Matrix inverse = factors.solve(Matrix::Identity());
   const double rest = std::max(0.0, square_ - solution.dot(mains.right));
   const double variance = rest / (weight_ - kUnknowns);
+  // A diagonal element of the inverse is at least the inverse of that element: most lines need no more than this.
+  const bool any = [&] {
+    for (int k = 1; k <= kHarmonics; ++k) {
+      const double least = variance / std::min(normal(2 * k - 1, 2 * k - 1), normal(2 * k, 2 * k));
+      const double square = solution.segment<2>(2 * k - 1).squaredNorm();
+      if (square > std::max(kStandsOut * kStandsOut * least, kLeast * kLeast)) {
+        return true;
+      }
+    }
+    return false;
+  }();
+  if (!any) {
+    return;
+  }
+  const Matrix inverse = factors.solve(Matrix::Identity());
   for (int k = 1; k <= kHarmonics; ++k) {
     const int c = 2 * k - 1;
     const int s = 2 * k;

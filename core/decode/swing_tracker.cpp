@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kMemory = 60;           // cycles
 constexpr double kSteady = 0.002;     // relative; smaller changes are averaged
+constexpr double kDisturbance = 5.0;  // times the usual scatter within a half
 constexpr double kTolerable = 0.003;  // relative change from cycle to cycle: one per cent is a degree of inclination
 
 }  // namespace
@@ -27,7 +28,7 @@ SwingTracker::Reading SwingTracker::step(const CycleMeasurement& cycle, const De
   if (residual_ == 0.0) {
     residual_ = residual;
   }
-  const bool disturbed = !(swing > 0.0) || residual > std::max(5.0 * residual_, 0.003 * swing);
+  const bool disturbed = !(swing > 0.0) || residual > std::max(kDisturbance * residual_, kTolerable * swing);
   // What noise alone makes of a swing: two means of about 0.36 periods.
   const double noise = residual_ * std::sqrt(2.0 / (0.36 * cycle.period())) / std::max(swing, 1e-12);
   const double spread = 8.0 * std::max(noise, std::sqrt(scatter_));
@@ -39,13 +40,14 @@ SwingTracker::Reading SwingTracker::step(const CycleMeasurement& cycle, const De
   }
   before_last_ = last_;
   last_ = swing;
+  // What disturbs every half is no click but hum or a bad line: within half a second that is usual.
+  residual_ += (std::min(residual, kDisturbance * residual_) - residual_) / kMemory;
   if (disturbed) {
     // Something moved within a half: a knob, a click, a lost sample.
     reading.usable = false;
     reading.swing = mean_;
     return reading;
   }
-  residual_ += (residual - residual_) / kMemory;
   reading.usable = steady;
   if (known_ && std::fabs(swing / mean_ - 1.0) < std::max(spread, kSteady)) {
     count_ = std::min(count_ + 1, kMemory);

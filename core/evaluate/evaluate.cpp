@@ -20,6 +20,11 @@ using Eigen::Vector3d;
 constexpr double kSameTime = 1e-6;
 // Samples further apart than so many usual distances have a gap between them.
 constexpr double kGap = 1.5;
+// Somebody holds still who turns by less than this, and moves by less, in the time before and after. A limb that
+// starts to move by 0.2 mm in a quarter of a second is accelerated by 0.6 mg, which looks like 0.04°.
+constexpr double kStill_s = 0.25;
+constexpr double kStillAngle = radians(0.02);
+constexpr double kStillWay_m = 2e-4;
 
 struct Pose {
   Quaterniond R_WL;
@@ -66,6 +71,29 @@ class TruthTrack {
   const Truth::SegmentTruth& truth_;
   double longest_step_ = 0.0;
 };
+
+// Whether nobody moves about this time; where the truth tells nothing of before or after, it is not still.
+bool is_still(const std::vector<std::optional<TruthTrack>>& tracks, const std::vector<std::optional<Pose>>& now,
+              double time_s) {
+  constexpr int kSteps = 4;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if (!tracks[i]) {
+      continue;
+    }
+    if (!now[i]) {
+      return false;
+    }
+    for (int step = -kSteps; step <= kSteps; ++step) {
+      const std::optional<Pose> then = tracks[i]->at(time_s + kStill_s * step / kSteps);
+      // Positions that are not known compare as near.
+      if (!then || geometry::geodesic_angle(then->R_WL, now[i]->R_WL) > kStillAngle ||
+          (then->p_WL - now[i]->p_WL).norm() > kStillWay_m) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
 
 struct Errors {
   std::vector<double> angle, inclination, distance;
@@ -152,6 +180,9 @@ Result<Evaluation> evaluate(const motion::Clip& clip, double clip_start_s, const
   std::vector<std::optional<Pose>> real(segments.size());
   std::vector<body::SegmentPose> poses;
   bool covered = false;
+  Errors still;
+  std::size_t instants = 0;
+  std::size_t still_instants = 0;
   std::vector<double> times = motion::key_times(clip);
   if (times.empty()) {
     times.push_back(0.0);
@@ -161,6 +192,9 @@ Result<Evaluation> evaluate(const motion::Clip& clip, double clip_start_s, const
     for (std::size_t i = 0; i < segments.size(); ++i) {
       real[i] = tracks[i] ? tracks[i]->at(clip_start_s + time) : std::nullopt;
     }
+    const bool holds_still = is_still(tracks, real, clip_start_s + time);
+    instants += std::any_of(real.begin(), real.end(), [](const auto& pose) { return pose.has_value(); }) ? 1 : 0;
+    still_instants += holds_still ? 1 : 0;
     Vector3d shift = Vector3d::Zero();
     if (clip.root_position.empty()) {
       shift = real[0] ? Vector3d(real[0]->p_WL - poses[0].p_WL) : Vector3d(Vector3d::Constant(NAN));
@@ -177,6 +211,13 @@ Result<Evaluation> evaluate(const motion::Clip& clip, double clip_start_s, const
       const double distance = (poses[i].p_WL + shift - real[i]->p_WL).norm();
       if (std::isfinite(distance)) {
         world[i].distance.push_back(distance);
+      }
+      if (holds_still) {
+        still.angle.push_back(world[i].angle.back());
+        still.inclination.push_back(world[i].inclination.back());
+        if (std::isfinite(distance)) {
+          still.distance.push_back(distance);
+        }
       }
       const int parent = segments[i].parent;
       if (parent >= 0 && real[static_cast<std::size_t>(parent)]) {
@@ -205,6 +246,8 @@ Result<Evaluation> evaluate(const motion::Clip& clip, double clip_start_s, const
     }
   }
   evaluation.all = statistics(all);
+  evaluation.still = statistics(still);
+  evaluation.still_fraction = static_cast<double>(still_instants) / static_cast<double>(instants);
   return evaluation;
 }
 
@@ -238,6 +281,10 @@ nlohmann::json evaluation_to_json(const Evaluation& evaluation) {
     json["segments"][name] = angles(s, true);
   }
   json["all"] = angles(evaluation.all, false);
+  if (evaluation.still_fraction > 0.0) {
+    json["still"] = angles(evaluation.still, false);
+    json["still"]["fraction"] = evaluation.still_fraction;
+  }
   const auto seconds = [&](const char* key, double value) {
     if (value > 0.0) {
       json["seconds"][key] = value;

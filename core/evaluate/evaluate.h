@@ -51,6 +51,10 @@ struct Evaluation {
   std::map<std::string, ErrorStatistics> joints;    ///< Orientation relative to the parent; without the root.
   std::map<std::string, ErrorStatistics> segments;  ///< World orientation, with inclination.
   ErrorStatistics all;                              ///< World orientation of all segments at all times.
+  /// As `all`, but only while every segment of the truth stands still: it turns by less than 0.02° and moves by less
+  /// than 0.2 mm in the quarter of a second before and after. There gravity is all that accelerometers feel.
+  ErrorStatistics still;
+  double still_fraction = 0;  ///< Of the instants that were compared, how many were still; 0: none, `still` is NaN.
   double take_seconds = 0, decode_seconds = 0, solve_seconds = 0;  ///< 0: not known, missing in the JSON form.
 };
 

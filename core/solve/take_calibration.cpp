@@ -61,9 +61,9 @@ void add(Diagnostics& to, const Diagnostics& from) {
 }
 
 // What `base` has only from the data sheet, from the take's own "range" and "pose:..." segments; empty when they give
-// nothing. Fails when it is told to stop.
+// nothing, and `failed` tells why. Fails when it is told to stop.
 Result<std::optional<ChosenCalibration>> from_segments(const take::Take& take, const DecodedTake& decoded,
-                                                       const calibrate::RigCalibration& base,
+                                                       const calibrate::RigCalibration& base, Diagnostics& failed,
                                                        const Progress& progress) {
   const body::Rig& rig = take.info.rig;
   ChosenCalibration chosen{base, "segments", "", {}};
@@ -126,6 +126,7 @@ Result<std::optional<ChosenCalibration>> from_segments(const take::Take& take, c
     }
   }
   if (ranges + mounts == 0) {
+    failed = std::move(chosen.diagnostics);
     return std::optional<ChosenCalibration>();
   }
   chosen.explanation = fmt::format(
@@ -299,26 +300,29 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
     name_loose_poses(rig, chosen);
     return chosen;
   };
+  Diagnostics failed;  // what kept the take's own movements from being used
   if (automatic || wanted == "segments") {
-    Result<std::optional<ChosenCalibration>> chosen = from_segments(take, decoded, base, progress);
+    Result<std::optional<ChosenCalibration>> chosen = from_segments(take, decoded, base, failed, progress);
     if (!chosen) {
       return chosen.error();
     }
     if (*chosen) {
       return completed(**std::move(chosen));
     }
+    if (!automatic && !failed.empty()) {
+      return Error{failed.front().message, failed.front().place, failed.front().remedy};
+    }
     if (!automatic) {
       return Error{"has no calibration segments", take.folder.string(), "choose another --calibration"};
     }
   }
   if ((automatic || wanted == "snapshot") && has_snapshot) {
-    return completed({automatic ? base : *take.info.calibration,
-                      "snapshot",
-                      "as recorded in the take, of " + newest_date(*take.info.calibration),
-                      {}});
+    return completed({automatic ? base : *take.info.calibration, "snapshot",
+                      "as recorded in the take, of " + newest_date(*take.info.calibration), failed});
   }
   if (library && library->calibration) {
     ChosenCalibration chosen{*library->calibration, "library", library->explanation, library->diagnostics};
+    add(chosen.diagnostics, failed);
     name_gaps(rig, chosen);
     name_loose_poses(rig, chosen);
     return chosen;
@@ -327,7 +331,7 @@ Result<ChosenCalibration> choose_calibration(const take::Take& take, const Decod
     return Error{library->explanation, take.folder.string(), "calibrate its sensors, or choose another --calibration"};
   }
   if (automatic || wanted == "nominal") {
-    ChosenCalibration chosen{calibrate::nominal_calibration(rig), "nominal", "from the data sheet alone", {}};
+    ChosenCalibration chosen{calibrate::nominal_calibration(rig), "nominal", "from the data sheet alone", failed};
     if (automatic) {
       chosen.diagnostics.push_back({Severity::kWarning, "calibration.none",
                                     "no sensor of this take was ever calibrated, so inclinations may be 10° wrong",

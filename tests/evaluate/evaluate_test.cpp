@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +51,42 @@ TEST(Evaluate, ItselfHasNoError) {
   EXPECT_LT(evaluation.all.mean_deg, 1e-9);
   EXPECT_LT(evaluation.all.inclination_max_deg, 1e-9);
   EXPECT_LT(evaluation.all.position_mean_mm, 1e-9);
+}
+
+TEST(Evaluate, ErrorsWhileSomebodyHoldsStillAreToldApart) {
+  // A second of standing, one of turning by 90°, one of standing; the estimate is off by 5° while it turns and for 0.2
+  // s after, by 1° otherwise.
+  motion::Clip clip = test::random_clip(1, 301, 100.0, 33);
+  clip.root_position = {};
+  motion::RotationTrack& track = clip.joints[0].rotation;
+  track.times.clear();
+  track.values.clear();
+  Truth truth;
+  truth.segments.emplace_back().name = clip.skeleton.segments[0].name;
+  for (int k = 0; k <= 300; ++k) {
+    const double time = 0.01 * k;
+    const Quaterniond turned = about(Vector3d::UnitX(), 90.0 * std::clamp(time - 1.0, 0.0, 1.0));
+    track.times.push_back(time);
+    track.values.push_back(turned * about(Vector3d::UnitX(), time > 1.0 && time < 2.2 ? 5.0 : 1.0));
+    truth.segments[0].times.push_back(time);
+    truth.segments[0].R_WL.push_back(turned);
+    truth.segments[0].p_WL.push_back(Vector3d::Zero());
+  }
+  const Evaluation evaluation = must(evaluate(clip, 0.0, truth));
+  EXPECT_NEAR(evaluation.all.max_deg, 5.0, 1e-6);
+  EXPECT_NEAR(evaluation.still.max_deg, 1.0, 1e-6);
+  EXPECT_NEAR(evaluation.still.inclination_mean_deg, 1.0, 1e-6);
+  // A quarter of a second at both ends of both is not known to be still.
+  EXPECT_NEAR(evaluation.still_fraction, (0.5 + 0.5) / 3.0, 0.02);
+  EXPECT_NEAR(evaluation_to_json(evaluation)["still"]["fraction"].get<double>(), evaluation.still_fraction, 1e-12);
+
+  for (std::size_t k = 0; k <= 300; ++k) {
+    truth.segments[0].R_WL[k] = about(Vector3d::UnitX(), 0.3 * static_cast<double>(k));
+  }
+  const Evaluation moving = must(evaluate(clip, 0.0, truth));
+  EXPECT_EQ(moving.still_fraction, 0.0);
+  EXPECT_TRUE(std::isnan(moving.still.mean_deg));
+  EXPECT_FALSE(evaluation_to_json(moving).contains("still"));
 }
 
 TEST(Evaluate, KnownErrorsAreFoundExactly) {

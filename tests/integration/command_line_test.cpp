@@ -174,7 +174,9 @@ TEST_F(CommandLineContract, CalibrationSaysWhatItLacksAndKeepsNothingOfAFailure)
   EXPECT_EQ(info.at("calibrated"), false);
   EXPECT_EQ(info.at("groups").size(), 2U);
   EXPECT_THAT(limbwave.run({"info", "a.take"}).output,
-              AllOf(HasSubstr("Right arm"), HasSubstr("fingers"), HasSubstr("not calibrated")));
+              AllOf(HasSubstr("Right arm"), HasSubstr("fingers"), HasSubstr("not calibrated"),
+                    HasSubstr("no calibration movements")));
+  EXPECT_TRUE(info.at("calibration_movements").empty());
 }
 
 // A take that simulates the wearer's session as a recording without segments: times alone say what is what.
@@ -182,6 +184,16 @@ TEST_F(CommandLineContract, CalibratesByTimesWhatASoundCardRecorded) {
   ASSERT_EQ(limbwave.run({"simulate", "made.take", "--motion", "reach", "--errors", "accurate", "--seed", "5"}).status,
             0);
   const auto made = nlohmann::json::parse(limbwave.run({"info", "made.take", "--json"}).output);
+  // What was done for calibrations is told, with its times.
+  const nlohmann::json& movements = made.at("calibration_movements");
+  ASSERT_EQ(movements.size(), 3U) << movements;
+  EXPECT_EQ(movements.at(0).at("procedure"), "range");
+  EXPECT_EQ(movements.at(1).at("group"), "Right arm");
+  EXPECT_EQ(movements.at(1).at("parts").size(), 2U);
+  EXPECT_EQ(movements.at(1).at("parts").at(0).at("name"), "horizontal");
+  EXPECT_EQ(movements.at(2).at("complete"), true);
+  EXPECT_THAT(limbwave.run({"info", "made.take"}).output,
+              testing::ContainsRegex("calibration movement Right arm +horizontal [0-9.]+ to [0-9.]+ s, vertical"));
   ASSERT_EQ(limbwave.run({"import", "session.take", "made.take/signal.wav", "--subject", "Anna"}).status, 0);
   const auto times = [&](const std::string& segment, const std::string& from, const std::string& to) {
     for (const nlohmann::json& candidate : made.at("segments")) {

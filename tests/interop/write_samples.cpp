@@ -33,7 +33,6 @@ namespace ic = limbwave::interchange;
 using limbwave::motion::Clip;
 using limbwave::motion::Interpolation;
 using limbwave::test::Expect;
-using limbwave::test::kAtKeys;
 using limbwave::test::person_clip;
 
 constexpr const char* kAll[] = {".fbx", ".glb", ".gltf", ".bvh"};
@@ -162,9 +161,7 @@ void bodies() {
       limbwave::motion::with_rest(person, ic::t_pose(person.skeleton, ic::roles_of(person.skeleton)));
   person.meshes = {own_mesh(in_t_pose)};
   for (const std::string& name : ic::preset_names()) {
-    // Blender loses the turn of a bone about itself where it points almost against its parent: with the plain preset's
-    // own axes and legs straight down from hips that point up by a few hundredths of a millimetre at the feet.
-    write("own_mesh_" + name, person, kSkinned, with_preset(name), {.at_keys_m = name == "plain" ? 5e-5 : kAtKeys});
+    write("own_mesh_" + name, person, kSkinned, with_preset(name));
   }
   person.meshes = {own_mesh(person)};
   write("own_mesh_at_rest", person, kSkinned);

@@ -140,6 +140,23 @@ TEST_F(TakeCalibration, AMountingThatThePosesDidNotGiveIsNotInstalled) {
                                       testing::Field(&Diagnostic::place, take.info.rig.accelerometers[sensor].name))));
 }
 
+TEST_F(TakeCalibration, MovementsThatGiveNothingAreToldOf) {
+  simulate(0.0);
+  // Every sensor reads the same all the time, as on a table.
+  for (decode::AccelerationFrame& frame : decoded.frames) {
+    frame.volts = decoded.frames.front().volts;
+  }
+  const ChosenCalibration calibration = chosen("auto");
+  EXPECT_EQ(calibration.source, "nominal");
+  EXPECT_THAT(codes(calibration.diagnostics),
+              testing::IsSupersetOf({"calibration.range-failed", "calibration.limb-failed", "calibration.none"}));
+  EXPECT_THAT(choose_calibration(take, decoded, "segments").error().message, HasSubstr("range calibration failed"));
+
+  require(take::CalibrationLibrary().save(take.info.rig, take.info.subject, measured()));
+  EXPECT_EQ(chosen("auto").source, "library");
+  EXPECT_THAT(codes(chosen("auto").diagnostics), Contains("calibration.range-failed"));
+}
+
 TEST_F(TakeCalibration, EverySourceByName) {
   simulate(0.0, false);
   EXPECT_THAT(choose_calibration(take, decoded, "segments").error().message, HasSubstr("no calibration segments"));

@@ -40,6 +40,9 @@ Status LibraryEntry::remove(const take::CalibrationLibrary& library) {
   return first;
 }
 
+WearerCommand::WearerCommand(StudioContext& context, QString after, const QString& text)
+    : QUndoCommand(text), context_(context), before_(context.wearer()), after_(std::move(after)) {}
+
 CalibrationCommand::CalibrationCommand(CalibrationDesk& desk, CalibrationDesk::Target target,
                                        std::optional<calibrate::RigCalibration> before, calibrate::RigCalibration after,
                                        std::shared_ptr<LibraryEntry> entry, const QString& text)

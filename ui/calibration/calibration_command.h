@@ -26,6 +26,18 @@ struct LibraryEntry {
   Status remove(const take::CalibrationLibrary& library);
 };
 
+/// Who wears the sensors, as it was said in a wizard.
+class WearerCommand : public QUndoCommand {
+ public:
+  WearerCommand(StudioContext& context, QString after, const QString& text);
+  void undo() override { context_.set_wearer(before_); }
+  void redo() override { context_.set_wearer(after_); }
+
+ private:
+  StudioContext& context_;
+  QString before_, after_;
+};
+
 class CalibrationCommand : public QUndoCommand {
  public:
   /// `entry` may be null; otherwise it is in the library already.

@@ -101,10 +101,29 @@ QString CalibrationDesk::wearer() const {
 }
 
 void CalibrationDesk::set_wearer(const QString& wearer) {
-  context_.set_wearer(wearer.trimmed());
+  if (const QString name = wearer.trimmed(); name != context_.wearer()) {
+    context_.undo_stack().push(new WearerCommand(context_, name, tr("subject")));
+  }
 }
 
 void CalibrationDesk::follow() {
+  read_calibration();
+  if (has_rig()) {
+    known_rig_ = rig();
+    known_ = calibration_;
+  }
+  Q_EMIT changed();
+}
+
+const calibrate::RigCalibration& CalibrationDesk::calibration() const {
+  // Somebody else may have heard of another take or capture before this has.
+  if (has_rig() && !fits(calibration_, rig())) {
+    read_calibration();
+  }
+  return calibration_;
+}
+
+void CalibrationDesk::read_calibration() const {
   if (subject() == Subject::kLive) {
     calibration_ = source_.calibration();
   } else if (subject() == Subject::kTake) {
@@ -116,11 +135,6 @@ void CalibrationDesk::follow() {
   if (has_rig() && !fits(calibration_, rig())) {
     calibration_ = calibrate::nominal_calibration(rig());
   }
-  if (has_rig()) {
-    known_rig_ = rig();
-    known_ = calibration_;
-  }
-  Q_EMIT changed();
 }
 
 void CalibrationDesk::refresh() {

@@ -46,7 +46,8 @@ class CalibrationDesk : public QObject {
   /// Only with `has_rig()`.
   [[nodiscard]] const body::Rig& rig() const;
   [[nodiscard]] const body::Skeleton& skeleton() const;
-  [[nodiscard]] const calibrate::RigCalibration& calibration() const { return calibration_; }
+  /// One entry for every sensor of the rig, at any time.
+  [[nodiscard]] const calibrate::RigCalibration& calibration() const;
   /// What a wizard works on from its first page to its verdict, whatever becomes of the device or the take meanwhile.
   struct Target {
     Subject subject = Subject::kNone;
@@ -63,6 +64,7 @@ class CalibrationDesk : public QObject {
 
   /// Who wears it: mountings are kept per person. Of the take, or as typed.
   [[nodiscard]] QString wearer() const;
+  /// Can be undone.
   void set_wearer(const QString& wearer);
 
   CalibrationSource& source() { return source_; }
@@ -109,6 +111,7 @@ class CalibrationDesk : public QObject {
 
  private:
   void follow();
+  void read_calibration() const;
   /// In use at the target; empty when it has none or is gone.
   [[nodiscard]] std::optional<calibrate::RigCalibration> in_use(const Target& target) const;
   struct Segment {
@@ -128,7 +131,7 @@ class CalibrationDesk : public QObject {
   CalibrationSource& source_;
   take::CalibrationLibrary library_;
   take::LibraryListing listing_;
-  calibrate::RigCalibration calibration_;
+  mutable calibrate::RigCalibration calibration_;
   body::Rig known_rig_;              ///< What `known_` is of.
   calibrate::RigCalibration known_;  ///< The last one of a rig, also when that is gone.
   std::filesystem::path recording_folder_;

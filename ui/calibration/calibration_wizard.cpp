@@ -105,6 +105,7 @@ QWidget* CalibrationWizard::make_result_page(QHBoxLayout** buttons) {
   auto* scroll = new QScrollArea(page);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget(scroll);
   content->setProperty("scroll", true);
   rows_layout_ = new QVBoxLayout(content);

@@ -137,7 +137,7 @@ QString format_degrees(double degrees, bool sign) {
 
 QString format_date(const std::string& iso) {
   const QDateTime time = QDateTime::fromString(QString::fromStdString(iso), Qt::ISODate);
-  return time.isValid() ? QLocale().toString(time.toLocalTime(), QStringLiteral("d MMM yyyy HH:mm")) : QString();
+  return time.isValid() ? QLocale().toString(time.toLocalTime(), Words::tr("d MMM yyyy HH:mm")) : QString();
 }
 
 std::string now_iso() {

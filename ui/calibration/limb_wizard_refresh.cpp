@@ -139,7 +139,8 @@ void LimbWizard::refresh_own_buttons() {
       frame()->set_back({}, false);
       break;
     case LimbPage::kResult:
-      frame()->set_next(tr("Save %1").arg(counted_calibrations(model_.accepted())), obstacle);
+      frame()->set_next(model_.accepted() > 0 ? tr("Save %1").arg(counted_calibrations(model_.accepted())) : tr("Save"),
+                        obstacle);
       frame()->set_back({}, false);
       break;
     case LimbPage::kCheck:

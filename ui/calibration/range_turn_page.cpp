@@ -41,11 +41,11 @@ AdviceText advice_text(const RangeSensorState& state, const QString& sensor, boo
     return {RangeTurnPage::tr("Go on turning"), {}};
   }
   const QString where = up_words(state.progress.missing.front());
-  return {RangeTurnPage::tr("Turn: %1").arg(where),
-          state.progress.enough
-              ? RangeTurnPage::tr("%1 has enough; these directions would make it better.").arg(sensor)
-              : RangeTurnPage::tr(
-                    "Bring the blue arrow of the box to the top; on the map, the white dot into the blue ring.")};
+  return {
+      RangeTurnPage::tr("Turn: %1").arg(where),
+      state.progress.enough
+          ? RangeTurnPage::tr("%1 has enough; these directions would make it better.").arg(sensor)
+          : RangeTurnPage::tr("Bring the blue arrow of the box to the top; on the map, the dot into the blue ring.")};
 }
 
 RangeTurnPage::RangeTurnPage(RangeWizardModel& model, QWidget* parent)

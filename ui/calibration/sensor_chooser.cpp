@@ -8,6 +8,12 @@
 
 namespace limbwave::ui {
 
+namespace {
+
+constexpr int kWidestName = 30 * kGrid;
+
+}  // namespace
+
 QString sensor_title(const body::Rig& rig, int sensor) {
   const body::Accelerometer& accelerometer = rig.accelerometers.at(static_cast<std::size_t>(sensor));
   const QString name = QString::fromStdString(accelerometer.name);
@@ -42,6 +48,13 @@ void SensorChooser::set_sensors(const body::Rig& rig, const std::vector<int>& sh
     checks_[i]->setChecked(std::find(chosen.begin(), chosen.end(), shown_[i]) != chosen.end());
     badges_[i]->set_state(state(shown_[i]));
   }
+  int widest = 0;  // So that what is said of them stands in one column.
+  for (const QCheckBox* check : checks_) {
+    widest = std::max(widest, check->sizeHint().width());
+  }
+  for (QCheckBox* check : checks_) {
+    check->setMinimumWidth(std::min(widest, kWidestName));
+  }
 }
 
 void SensorChooser::add_row(int sensor) {
@@ -53,10 +66,10 @@ void SensorChooser::add_row(int sensor) {
   check->setMinimumHeight(6 * kGrid);
   check->setStyleSheet(QStringLiteral("font-size: 15px;"));
   connect(check, &QCheckBox::toggled, this, [this, sensor](bool on) { Q_EMIT toggled(sensor, on); });
-  layout->addWidget(check, 1);
+  layout->addWidget(check);
   auto* badge = new VerdictBadge(row);
   badge->setMinimumWidth(260);
-  layout->addWidget(badge);
+  layout->addWidget(badge, 1);
   rows_->addWidget(row);
   checks_.push_back(check);
   badges_.push_back(badge);

@@ -9,6 +9,13 @@
 
 namespace limbwave::ui {
 
+namespace {
+
+constexpr int kLeastWidth = 70 * kGrid;
+constexpr int kBesideEachOther = 130 * kGrid;  // From here on the buttons stand behind the words, else below.
+
+}  // namespace
+
 CalibrationState refused_state() {
   return {Tone::kDanger, verdict_word(calibrate::Verdict::kRepeat), {}, {}};
 }
@@ -27,9 +34,12 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
       discard_(new QPushButton(tr("Discard"), this)) {
   setProperty("card", true);
   setObjectName(QStringLiteral("verdict_%1").arg(sensor));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * kGrid, kGrid + 4, 2 * kGrid, kGrid + 4);
+  outer_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
+  outer_->setContentsMargins(2 * kGrid, kGrid + 4, 2 * kGrid, kGrid + 4);
+  outer_->setSpacing(kGrid);
+  auto* layout = new QHBoxLayout;
   layout->setSpacing(2 * kGrid);
+  outer_->addLayout(layout, 1);
   title_->setStyleSheet(QStringLiteral("font-size: 16px;"));
   auto* names = new QWidget(this);
   names->setFixedWidth(12 * kGrid);
@@ -61,12 +71,25 @@ VerdictRow::VerdictRow(int sensor, bool with_map, QWidget* parent)
   discard_->setObjectName(QStringLiteral("discard_%1").arg(sensor));
   discard_->setCheckable(true);
   discard_->setMinimumWidth(11 * kGrid);
-  layout->addWidget(accept_);
-  layout->addWidget(repeat_);
-  layout->addWidget(discard_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGrid);
+  buttons->addStretch();
+  buttons->addWidget(accept_);
+  buttons->addWidget(repeat_);
+  buttons->addWidget(discard_);
+  outer_->addLayout(buttons);
+  setMinimumWidth(kLeastWidth);  // Not that of the words and the buttons side by side.
   connect(accept_, &QPushButton::clicked, this, [this] { Q_EMIT accept(sensor_); });
   connect(repeat_, &QPushButton::clicked, this, [this] { Q_EMIT repeat(sensor_); });
   connect(discard_, &QPushButton::clicked, this, [this] { Q_EMIT discard(sensor_); });
+}
+
+void VerdictRow::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  const auto wanted = width() < kBesideEachOther ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (outer_->direction() != wanted) {
+    outer_->setDirection(wanted);
+  }
 }
 
 void VerdictRow::set_content(const VerdictRowContent& content) {

@@ -1,6 +1,7 @@
 /// One sensor's verdict: what was found, in a number, and what to do with it.
 #pragma once
 
+#include <QBoxLayout>
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
@@ -30,6 +31,9 @@ class VerdictRow : public QFrame {
   void set_visited(const SphereMap::Cells& visited) { map_->set_visited(visited); }
   [[nodiscard]] int sensor() const { return sensor_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  Q_SIGNALS:
   void accept(int sensor);
   void repeat(int sensor);
@@ -43,6 +47,7 @@ class VerdictRow : public QFrame {
   SphereMap* map_;
   QLabel* text_;
   QLabel* comparison_;
+  QBoxLayout* outer_ = nullptr;
   QPushButton* accept_;
   QPushButton* repeat_;
   QPushButton* discard_;

@@ -30,6 +30,7 @@ constexpr std::array kWords{
     QT_TRANSLATE_NOOP("Core", "writing"),
     QT_TRANSLATE_NOOP("Core", "checking"),
     QT_TRANSLATE_NOOP("Core", "done"),
+    QT_TRANSLATE_NOOP("Core", "%1 up"),
 };
 
 constexpr int kDeepest = 3;        // texts within texts within texts

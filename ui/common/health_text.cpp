@@ -26,7 +26,7 @@ QString health_text(const solve::SensorHealth& health) {
                                                     : Health::tr("no readings yet");
   }
   if (health.code == "no-calibration") {
-    return Health::tr("works, but was never calibrated; calibrate its range");
+    return Health::tr("never calibrated; calibrate its range");
   }
   return core_text(health.text);
 }

@@ -70,6 +70,13 @@ void StudioContext::set_wearer(const QString& wearer) {
   }
 }
 
+void StudioContext::set_animation(const QString& name) {
+  if (name != animation_) {
+    animation_ = name;
+    Q_EMIT animation_changed();
+  }
+}
+
 QString StudioContext::takes_folder() const {
   const QString folder = settings_.value(QStringLiteral("takes/folder")).toString();
   return folder.isEmpty() ? QDir::home().filePath(QStringLiteral("Limbwave")) : folder;

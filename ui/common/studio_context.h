@@ -53,6 +53,12 @@ class StudioContext : public QObject {
   /// The running capture then goes by this person's mountings.
   void set_wearer(const QString& wearer);
 
+  /// File name of the animation of another program that is looked at instead of a take; empty: none is.
+  [[nodiscard]] const QString& animation() const { return animation_; }
+  void set_animation(const QString& name);
+  /// What the window is about: the animation or the take; empty: neither is open.
+  [[nodiscard]] QString title() const { return animation_.isEmpty() ? document_.name() : animation_; }
+
   /// Where new takes go: the setting, else ~/Limbwave.
   [[nodiscard]] QString takes_folder() const;
   void set_takes_folder(const QString& folder);
@@ -69,6 +75,7 @@ class StudioContext : public QObject {
   void takes_folder_changed();
   void disk_changed();  ///< It is known how much room there is.
   void wearer_changed();
+  void animation_changed();
   void reveal_requested(const QString& workspace, const QString& topic);
 
  private:
@@ -86,6 +93,7 @@ class StudioContext : public QObject {
   SaveQueue saves_;
   MarkerModel markers_;
   TakeEdits take_edits_;
+  QString animation_;
   /// Asked beside the window, for a disk may be asleep, and by a thread of its own that nobody waits for.
   struct Disk {
     std::atomic<qint64> free{-1};  ///< Bytes.

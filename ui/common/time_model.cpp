@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/clip.h"
+
 namespace limbwave::ui {
 
 TimeModel::TimeModel(QObject* parent, std::function<qint64()> now_ns) : QObject(parent), now_ns_(std::move(now_ns)) {
@@ -34,6 +36,28 @@ void TimeModel::set_extent(double duration_s, double frame_s) {
   Q_EMIT extent_changed();
   Q_EMIT visible_changed(begin_s_, end_s_);
   Q_EMIT playhead_changed(playhead_s_);
+}
+
+void TimeModel::correct_duration(double duration_s) {
+  if (!std::isfinite(duration_s) || duration_s < 0.0 || duration_s == duration_s_) {
+    return;
+  }
+  const bool all = begin_s_ == 0.0 && end_s_ == duration_s_;
+  duration_s_ = duration_s;
+  playhead_s_ = std::min(playhead_s_, duration_s_);
+  Q_EMIT extent_changed();
+  set_visible(begin_s_, all ? duration_s_ : std::min(end_s_, duration_s_));
+  Q_EMIT playhead_changed(playhead_s_);
+}
+
+qint64 TimeModel::frames() const {
+  return duration_s_ > 0.0 ? static_cast<qint64>(motion::frame_count(duration_s_, 1.0 / frame_s_)) : 0;
+}
+
+qint64 TimeModel::frame() const {
+  constexpr double kOnFrame = 1e-3;  // A playhead that was stepped onto a frame is on it.
+  return std::clamp<qint64>(static_cast<qint64>(std::floor(playhead_s_ / frame_s_ + kOnFrame)), 0,
+                            std::max<qint64>(1, frames()) - 1);
 }
 
 void TimeModel::set_playhead(double time_s) {

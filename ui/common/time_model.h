@@ -15,6 +15,11 @@ class TimeModel : public QObject {
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
   [[nodiscard]] double frame_s() const { return frame_s_; }  ///< Length of a frame of the clip, seconds.
+  /// How many frames lie on the clip, from time 0 on, both ends included: what can be stepped over and what an export
+  /// at this rate writes (motion::frame_count). 0 without a clip.
+  [[nodiscard]] qint64 frames() const;
+  /// The frame under the playhead, from 0: it stands until the next.
+  [[nodiscard]] qint64 frame() const;
   [[nodiscard]] double playhead_s() const { return playhead_s_; }
   [[nodiscard]] double visible_begin_s() const { return begin_s_; }
   [[nodiscard]] double visible_end_s() const { return end_s_; }
@@ -24,6 +29,8 @@ class TimeModel : public QObject {
 
   /// A new clip: all of it becomes visible, the playhead goes to its start, playing stops.
   void set_extent(double duration_s, double frame_s);
+  /// The same clip, a little longer or shorter than it was thought to be: playhead and visible range stay.
+  void correct_duration(double duration_s);
   /// Kept within 0 .. duration.
   void set_playhead(double time_s);
   /// Kept within 0 .. duration and at least four frames wide.

@@ -180,7 +180,9 @@ void OverviewView::paintEvent(QPaintEvent*) {
     painter.drawLine(QPointF(at, band.bottom()), QPointF(at, band.bottom() + 4));
     const QString text =
         step >= 1.0 ? format_clock(tick) : QLocale().toString(tick, 'f', step >= 0.1 ? 1 : 3) + tr(" s");
-    painter.drawText(QPointF(at + 3, height() - 5), text);
+    if (at + 3 + painter.fontMetrics().horizontalAdvance(text) <= width()) {  // No half of a number at the edge.
+      painter.drawText(QPointF(at + 3, height() - 5), text);
+    }
   }
 }
 

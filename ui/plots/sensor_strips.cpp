@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QTextLayout>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,26 @@ QString signed_number(double value, int digits) {
   QString text = QLocale().toString(std::abs(value), 'f', digits);
   const bool negative = value < 0.0 && text != QLocale().toString(0.0, 'f', digits);
   return (negative ? QStringLiteral("\u2212") : QStringLiteral("\u2007")) + text;
+}
+
+// As many whole lines as there is room for, at least one; what does not fit ends in an ellipsis.
+void draw_words(QPainter& painter, const QRectF& area, const QString& words) {
+  QTextLayout layout(words, painter.font());
+  const double line_height = painter.fontMetrics().height();
+  const int room = std::max(1, static_cast<int>(area.height() / line_height));
+  layout.beginLayout();
+  for (int i = 0; i < room; ++i) {
+    QTextLine line = layout.createLine();
+    if (!line.isValid()) {
+      break;
+    }
+    line.setLineWidth(area.width());
+    const bool last = i + 1 == room;
+    const QString text = last ? words.mid(line.textStart()) : words.mid(line.textStart(), line.textLength());
+    painter.drawText(QPointF(area.left(), area.top() + i * line_height + painter.fontMetrics().ascent()),
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(area.width())));
+  }
+  layout.endLayout();
 }
 
 }  // namespace
@@ -155,21 +176,28 @@ void SensorStrips::paint_card(QPainter& painter, int sensor) const {
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);
   painter.setPen(theme.text);
-  const double line = painter.fontMetrics().height();
-  const QRectF title(area.left() + 14, area.top() + 5, area.width() - 14 - 30, line);
-  painter.drawText(
-      title, Qt::AlignLeft | Qt::AlignVCenter,
-      painter.fontMetrics().elidedText(QStringLiteral("%1  %2").arg(sensor + 1).arg(sensors_.value(sensor)),
-                                       Qt::ElideRight, static_cast<int>(title.width())));
-  painter.drawPixmap(QPointF(area.right() - 26, area.top() + 5),
-                     icon_pixmap(tone_icon(tone), tone_color(palette(), tone), 16, devicePixelRatioF()));
   QFont small = font();
   small.setPixelSize(12);
+  const double line = painter.fontMetrics().height(), small_line = QFontMetricsF(small, this).height();
+  // In a low row the words stand beside the name.
+  const bool low = area.height() < line + small_line;
+  const double pad = std::clamp((area.height() - line - (low ? 0.0 : small_line)) / 2.0, 0.0, 5.0);
+  const QRectF title(area.left() + 14, area.top() + pad, area.width() - 14 - 30, line);
+  const QString name =
+      painter.fontMetrics().elidedText(QStringLiteral("%1  %2").arg(sensor + 1).arg(sensors_.value(sensor)),
+                                       Qt::ElideRight, static_cast<int>(low ? 0.6 * title.width() : title.width()));
+  const double name_width = painter.fontMetrics().horizontalAdvance(name);
+  painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, name);
+  painter.drawPixmap(QPointF(area.right() - 26, area.top() + 5),
+                     icon_pixmap(tone_icon(tone), tone_color(palette(), tone), 16, devicePixelRatioF()));
   painter.setFont(small);
   painter.setPen(tone == Tone::kWarning || tone == Tone::kDanger ? tone_color(palette(), tone) : theme.dim);
   const QString words = health_text(health);
-  const QRectF text(area.left() + 14, title.bottom() + 1, area.width() - 22, area.bottom() - title.bottom() - 3);
-  painter.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words);
+  const double beside = title.left() + name_width + 10.0;
+  draw_words(painter,
+             low ? QRectF(beside, title.top() + (line - small_line) / 2.0, title.right() - beside, small_line)
+                 : QRectF(title.left(), title.bottom(), area.width() - 22, area.bottom() - title.bottom()),
+             words);
 }
 
 void SensorStrips::paint_strip(QPainter& painter, int sensor, int axis) const {

@@ -118,6 +118,12 @@ class TimelineCanvas : public QWidget {
   TimeModel& time_;
   KeyEditor& keys_;
   std::vector<TimelineMarker> markers_;
+  /// The words of a marker as they were drawn last: they can be caught, too.
+  struct DrawnWords {
+    int marker;
+    double left, right;
+  };
+  mutable std::vector<DrawnWords> drawn_words_;
   std::vector<TimelineStretch> stretches_;
   QString hint_;
   int current_lane_ = -1;

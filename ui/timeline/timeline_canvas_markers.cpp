@@ -68,7 +68,11 @@ int TimelineCanvas::marker_at(double pixel) const {
       return indices[static_cast<std::size_t>(found)];
     }
   }
-  return -1;
+  // What was drawn last lies on top.
+  const auto words = std::find_if(drawn_words_.rbegin(), drawn_words_.rend(), [&](const DrawnWords& one) {
+    return pixel >= one.left && pixel <= one.right && one.marker < static_cast<int>(markers_.size());
+  });
+  return words == drawn_words_.rend() ? -1 : words->marker;
 }
 
 void TimelineCanvas::drag_marker(const QMouseEvent& event) {

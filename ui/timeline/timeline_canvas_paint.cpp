@@ -64,7 +64,7 @@ void TimelineCanvas::paint_ruler(QPainter& painter) const {
       painter.setPen(QPen(tick.major ? theme.dim : theme.line, 1));
       painter.drawLine(QPointF(x, kRulerHeight - (tick.major ? 8 : 4)), QPointF(x, kRulerHeight));
       if (tick.major) {
-        const QString label = QString::fromStdString(time_label(tick.time_s, spacing.major_s));
+        const QString label = time_text(tick.time_s, spacing.major_s);
         painter.setPen(theme.dim);
         painter.drawText(QPointF(x + 4, metrics.ascent() + 2), label);
       }
@@ -94,7 +94,9 @@ void TimelineCanvas::paint_markers(QPainter& painter) const {
   std::array<double, 3> drawn_until{-1e9, -1e9, -1e9};  // Per kind: one every few pixels is enough.
   double free_from = kLabelWidth;                       // Texts do not overlap: the earlier one stays.
   const QFontMetricsF metrics(painter.font());
-  for (const TimelineMarker& marker : markers_) {
+  drawn_words_.clear();
+  for (std::size_t i = 0; i < markers_.size(); ++i) {
+    const TimelineMarker& marker = markers_[i];
     const bool selected = marker.number > 0 && marker.number == selected_marker_;
     const bool dragged = drag_ == Drag::kMarker && marker.number == dragged_marker_ && dragged_to_s_ >= 0.0;
     const double x = s.x(dragged ? dragged_to_s_ : marker.time_s);
@@ -141,6 +143,7 @@ void TimelineCanvas::paint_markers(QPainter& painter) const {
       painter.setPen(theme.text);
       painter.drawText(QPointF(x + 12, middle + metrics.ascent() / 2 - 1), text);
       free_from = x + 20 + text_width;
+      drawn_words_.push_back({static_cast<int>(i), x, x + 16 + text_width});
     }
   }
   painter.restore();

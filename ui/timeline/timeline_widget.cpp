@@ -18,6 +18,7 @@
 #include "common/theme.h"
 #include "common/widgets.h"
 #include "timeline/shuttle.h"
+#include "timeline/timeline_layout.h"
 
 namespace limbwave::ui {
 
@@ -144,12 +145,10 @@ void TimelineWidget::show_state() {
   }
   add_->setEnabled(any && canvas_->current_lane() >= 0);
   remove_->setEnabled(!keys_.selected().empty() || canvas_->marker_time(canvas_->selected_marker()) >= 0.0);
-  const auto frame = std::llround(time_.playhead_s() / time_.frame_s());
-  now_->setText(any ? QString::fromStdString(time_label(time_.playhead_s(), 0.001)) : tr("–"));
-  const QString length = tr("/ %1   frame %2 of %3")
-                             .arg(QString::fromStdString(time_label(time_.duration_s(), 0.001)))
-                             .arg(frame + 1)
-                             .arg(std::llround(time_.duration_s() / time_.frame_s()) + 1);
+  const qint64 frame = time_.frame();
+  now_->setText(any ? time_text(time_.playhead_s(), 0.001) : tr("–"));
+  const QString length =
+      tr("/ %1   frame %2 of %3").arg(time_text(time_.duration_s(), 0.001)).arg(frame + 1).arg(time_.frames());
   // What stands at its start waits to be played.
   const bool waits = any && !playing && frame == 0;
   length_->setText(!any ? tr("nothing to play yet") : waits ? tr("%1   Space plays").arg(length) : length);

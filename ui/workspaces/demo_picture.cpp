@@ -30,7 +30,7 @@ std::array<double, 2> arm_angles(const QString& motion, double phase) {
   if (motion.contains(QLatin1String("exercise")) || motion.contains(QLatin1String("joint"))) {
     return {20.0 + 140.0 * phase, 15.0 + 60.0 * std::abs(wave)};
   }
-  return {8.0 + 150.0 * phase, 6.0};
+  return {8.0 + 130.0 * phase, 6.0};
 }
 
 QPointF from_angle(double degrees, double length) {

@@ -128,7 +128,7 @@ void MainWindow::make_actions() {
   details->setObjectName(QStringLiteral("take_details"));
   connect(take_menu_, &QMenu::aboutToShow, details,
           [this, details] { details->setEnabled(context_.document().is_open()); });
-  add(take_menu_, {}, tr("Close take"), QKeySequence::Close, [this] { context_.document().close(); });
+  add(take_menu_, {}, tr("Close"), QKeySequence::Close, [this] { take_actions_->close(); });
 
   QAction* undo = context_.undo_stack().createUndoAction(this, tr("Undo"));
   undo->setIcon(icon(QStringLiteral("undo")));
@@ -216,6 +216,7 @@ void MainWindow::follow_context() {
   });
   connect(&context_.live(), &LiveModel::recording_changed, this, &MainWindow::update_title);
   connect(&context_.document(), &TakeDocument::described, this, &MainWindow::update_title);
+  connect(&context_, &StudioContext::animation_changed, this, &MainWindow::update_title);
 }
 
 void MainWindow::show_docks() {
@@ -300,7 +301,7 @@ void MainWindow::show_index(int index) {
 }
 
 void MainWindow::update_title() {
-  const QString name = context_.document().name();
+  const QString name = context_.title();
   const QString program = QStringLiteral("Limbwave");
   QString title = name.isEmpty() ? program : tr("%1 – %2").arg(name, program);
   if (context_.live().recording() && !context_.live().aside()) {

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollBar>
 #include <QSvgRenderer>
@@ -48,9 +49,51 @@ QString title_of(const Chapter& chapter) {
 QString read_chapter(const QString& name) {
   static const bool initialised = (init_manual_resources(), true);
   Q_UNUSED(initialised);
-  QFile file(QStringLiteral(":/manual/%1.md").arg(name));
-  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+  // Folders of other languages are named by their translations; what they lack is read in English.
+  //: Folder of resources/manual that holds the chapters in your language: its code, "de". Without one leave it as it
+  //: is.
+  const QString language = QCoreApplication::translate("Manual", "en", "language of the manual");
+  for (const QString& path :
+       {QStringLiteral(":/manual/%1/%2.md").arg(language, name), QStringLiteral(":/manual/%1.md").arg(name)}) {
+    if (QFile file(path); file.open(QIODevice::ReadOnly)) {
+      return QString::fromUtf8(file.readAll());
+    }
+  }
+  return {};
 }
+
+// The words in the pictures; they stand there in English.
+[[maybe_unused]] constexpr std::array kPictureWords{
+    QT_TRANSLATE_NOOP("ManualPicture", "too low"),
+    QT_TRANSLATE_NOOP("ManualPicture", "noise is as large as the signal"),
+    QT_TRANSLATE_NOOP("ManualPicture", "good"),
+    QT_TRANSLATE_NOOP("ManualPicture", "peaks stay in the green zone"),
+    QT_TRANSLATE_NOOP("ManualPicture", "too high"),
+    QT_TRANSLATE_NOOP("ManualPicture", "peaks are cut off"),
+    QT_TRANSLATE_NOOP("ManualPicture", "1  horizontal: forward, level, palm down"),
+    QT_TRANSLATE_NOOP("ManualPicture", "2  vertical: hanging, palm to the rear"),
+    QT_TRANSLATE_NOOP("ManualPicture", "left"),
+    QT_TRANSLATE_NOOP("ManualPicture", "right"),
+    QT_TRANSLATE_NOOP("ManualPicture", "sensor 1: x y z"),
+    QT_TRANSLATE_NOOP("ManualPicture", "sensor 2: x y z"),
+    QT_TRANSLATE_NOOP("ManualPicture", "sensor 3: x y z"),
+    QT_TRANSLATE_NOOP("ManualPicture", "sensor 4: x y z"),
+    QT_TRANSLATE_NOOP("ManualPicture", "sensor 5: x y z"),
+    QT_TRANSLATE_NOOP("ManualPicture", "ref."),
+    QT_TRANSLATE_NOOP("ManualPicture", "low"),
+    QT_TRANSLATE_NOOP("ManualPicture", "high"),
+    QT_TRANSLATE_NOOP("ManualPicture",
+                      "every face looks up once, then edges and corners: slowly, about ten seconds for a full turn"),
+    QT_TRANSLATE_NOOP("ManualPicture", "sensors"),
+    QT_TRANSLATE_NOOP("ManualPicture", "five, worn"),
+    QT_TRANSLATE_NOOP("ManualPicture", "line input"),
+    QT_TRANSLATE_NOOP("ManualPicture", "stereo, 44.1 kHz or more"),
+    QT_TRANSLATE_NOOP("ManualPicture", "take"),
+    QT_TRANSLATE_NOOP("ManualPicture", "raw samples, kept"),
+    QT_TRANSLATE_NOOP("ManualPicture", "solve"),
+    QT_TRANSLATE_NOOP("ManualPicture", "skeleton, keys"),
+    QT_TRANSLATE_NOOP("ManualPicture", "export"),
+    QT_TRANSLATE_NOOP("ManualPicture", "FBX, BVH, glTF, CSV")};
 
 QString keys_chapter(const std::vector<ShortcutGroup>& groups) {
   const auto cell = [](QString text) { return text.replace(QLatin1Char('|'), QLatin1String("\\|")); };
@@ -63,6 +106,20 @@ QString keys_chapter(const std::vector<ShortcutGroup>& groups) {
     text += QLatin1Char('\n');
   }
   return text;
+}
+
+QByteArray with_words(const QByteArray& svg) {
+  static const QRegularExpression word(QStringLiteral(">([^<>]+)</text>"));
+  const QString text = QString::fromUtf8(svg);
+  QString made;
+  qsizetype done = 0;
+  for (auto found = word.globalMatch(text); found.hasNext();) {
+    const QRegularExpressionMatch one = found.next();
+    made += text.mid(done, one.capturedStart(1) - done);
+    made += QCoreApplication::translate("ManualPicture", one.captured(1).toUtf8().constData()).toHtmlEscaped();
+    done = one.capturedEnd(1);
+  }
+  return (made + text.mid(done)).toUtf8();
 }
 
 /// Colours of the dark theme, as the pictures are drawn in, become those of the theme in use.
@@ -120,8 +177,9 @@ void ManualBrowser::show_markdown(const QString& markdown) {
       format.setTopMargin(format.headingLevel() == 1 ? 0 : 3 * kGrid);
       format.setBottomMargin(1.5 * kGrid);
     } else {
-      format.setBottomMargin(kGrid);
+      format.setBottomMargin(format.hasProperty(QTextFormat::BlockCodeFence) ? 2 : kGrid);
     }
+    format.setNonBreakableLines(false);  // A long command goes on in the next line.
     QTextCursor(block).setBlockFormat(format);
     for (auto it = block.begin(); !it.atEnd(); ++it) {
       const bool anchor = it.fragment().charFormat().isAnchor();
@@ -167,7 +225,7 @@ QVariant ManualBrowser::loadResource(int type, const QUrl& url) {
   if (!file.open(QIODevice::ReadOnly)) {
     return {};
   }
-  QSvgRenderer renderer(themed(file.readAll(), theme_colors(palette())));
+  QSvgRenderer renderer(themed(with_words(file.readAll()), theme_colors(palette())));
   const double ratio = devicePixelRatioF();
   QSize size = renderer.defaultSize();
   if (const int room = viewport()->width() - 8 * kGrid; room > 240 && size.width() > room) {

@@ -14,22 +14,43 @@
 
 namespace limbwave::ui {
 
+namespace {
+
+constexpr int kWidestLine = 30 * kGrid;  // What is longer is wrapped where there is no more room.
+
+// Names of keys, for languages that Qt brings no words for.
+[[maybe_unused]] constexpr std::array kKeyNames{
+    QT_TRANSLATE_NOOP("QShortcut", "Ctrl"), QT_TRANSLATE_NOOP("QShortcut", "Shift"),
+    QT_TRANSLATE_NOOP("QShortcut", "Alt"), QT_TRANSLATE_NOOP("QShortcut", "Del"),
+    QT_TRANSLATE_NOOP("QShortcut", "Ins")};
+
+// As the keyboard has them: "Strg+N".
+QString native(const char* keys) {
+  QStringList each;
+  for (const QString& one : QString::fromLatin1(keys).split(QStringLiteral(" / "))) {
+    each << QKeySequence(one).toString(QKeySequence::NativeText);
+  }
+  return each.join(QStringLiteral(" / "));
+}
+
+}  // namespace
+
 std::vector<ShortcutGroup> shortcut_groups(const StudioParts& parts) {
   ShortcutGroup everywhere{
       ShortcutSheet::tr("Everywhere"),
       {{QStringLiteral("1 – %1").arg(parts.workspaces.size()), ShortcutSheet::tr("Go to a workspace")},
-       {QStringLiteral("Ctrl+N"), ShortcutSheet::tr("New take")},
-       {QStringLiteral("Ctrl+O"), ShortcutSheet::tr("Open a take")},
-       {QStringLiteral("Ctrl+Shift+O"), ShortcutSheet::tr("Open an animation")},
-       {QStringLiteral("Ctrl+I"), ShortcutSheet::tr("Import recordings")},
-       {QStringLiteral("Ctrl+W"), ShortcutSheet::tr("Close the take")},
-       {QStringLiteral("Ctrl+Z"), ShortcutSheet::tr("Undo")},
-       {QStringLiteral("Ctrl+Shift+Z / Ctrl+Y"), ShortcutSheet::tr("Redo")},
-       {QStringLiteral("F3 / F4"), ShortcutSheet::tr("Show or hide the inspector, the timeline")},
-       {QStringLiteral("F11"), ShortcutSheet::tr("Full screen")},
-       {QStringLiteral("F1"), ShortcutSheet::tr("The manual")},
+       {native("Ctrl+N"), ShortcutSheet::tr("New take")},
+       {native("Ctrl+O"), ShortcutSheet::tr("Open a take")},
+       {native("Ctrl+Shift+O"), ShortcutSheet::tr("Open an animation")},
+       {native("Ctrl+I"), ShortcutSheet::tr("Import recordings")},
+       {native("Ctrl+W"), ShortcutSheet::tr("Close the take or the animation")},
+       {native("Ctrl+Z"), ShortcutSheet::tr("Undo")},
+       {native("Ctrl+Shift+Z / Ctrl+Y"), ShortcutSheet::tr("Redo")},
+       {native("F3 / F4"), ShortcutSheet::tr("Show or hide the inspector, the timeline")},
+       {native("F11"), ShortcutSheet::tr("Full screen")},
+       {native("F1"), ShortcutSheet::tr("The manual")},
        {QStringLiteral("? / Shift+?"), ShortcutSheet::tr("All keyboard shortcuts")},
-       {QStringLiteral("Ctrl+Q"), ShortcutSheet::tr("Quit")}}};
+       {native("Ctrl+Q"), ShortcutSheet::tr("Quit")}}};
   for (const StudioAction& action : parts.actions) {
     everywhere.shortcuts.push_back({action.keys.toString(QKeySequence::NativeText), action.what});
   }
@@ -74,14 +95,17 @@ ShortcutSheet::ShortcutSheet(const std::vector<ShortcutGroup>& groups, QWidget* 
     grid->setHorizontalSpacing(3 * kGrid);
     grid->setVerticalSpacing(kGrid);
     grid->setColumnStretch(1, 1);
+    grid->setColumnMinimumWidth(0, 12 * kGrid);
     grid->addWidget(heading_label(group.title, page), 0, 0, 1, 2);
     int row = 1;
     for (const ShortcutHelp& shortcut : group.shortcuts) {
       auto* keys = new QLabel(shortcut.keys, page);
-      keys->setMinimumWidth(12 * kGrid);
       keys->setFont(tabular(keys->font(), 1.0, QFont::DemiBold));
       grid->addWidget(keys, row, 0, Qt::AlignTop);
-      grid->addWidget(new QLabel(shortcut.what, page), row, 1);
+      auto* what = new QLabel(shortcut.what, page);
+      what->setWordWrap(true);
+      what->setMinimumWidth(std::min(what->fontMetrics().horizontalAdvance(shortcut.what) + 2, kWidestLine));
+      grid->addWidget(what, row, 1);
       ++row;
     }
     column.at(into)->addLayout(grid);

@@ -139,6 +139,7 @@ StatusStrip::StatusStrip(StudioContext& context, QMenu* take_menu, QMenu* main_m
   connect(&context_.live(), &LiveModel::recording_changed, this, &StatusStrip::refresh);
   connect(&context_.document(), &TakeDocument::changed, this, &StatusStrip::refresh);
   connect(&context_.document(), &TakeDocument::described, this, &StatusStrip::refresh);
+  connect(&context_, &StudioContext::animation_changed, this, &StatusStrip::refresh);
   connect(&context_, &StudioContext::disk_changed, this, &StatusStrip::refresh);
   refresh();
 }
@@ -169,9 +170,10 @@ void StatusStrip::refresh() {
   for (std::size_t i = 0; i < facts.size() && i < facts_.size(); ++i) {
     facts_[i]->set_fact(facts[i]);
   }
-  const QString name = context_.document().is_open() ? context_.document().name() : tr("No take");
+  const QString title = context_.title();
+  const QString name = title.isEmpty() ? tr("No take") : title;
   take_->setText(take_->fontMetrics().elidedText(name, Qt::ElideMiddle, 240));
-  take_->setAccessibleName(tr("Take: %1").arg(name));
+  take_->setAccessibleName(context_.animation().isEmpty() ? tr("Take: %1").arg(name) : tr("Animation: %1").arg(name));
 }
 
 }  // namespace limbwave::ui

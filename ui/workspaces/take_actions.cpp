@@ -61,6 +61,14 @@ void TakeActions::open_animation(const QString& file) {
   context_.reveal(QStringLiteral("export"), QStringLiteral("animation:") + file);
 }
 
+void TakeActions::close() {
+  if (context_.animation().isEmpty()) {
+    context_.document().close();
+  } else {
+    context_.reveal(QStringLiteral("export"), QStringLiteral("close"));
+  }
+}
+
 void TakeActions::choose_and_import() {
   const QStringList files = QFileDialog::getOpenFileNames(
       window_, tr("Import recordings of a sound recorder"), context_.takes_folder(),

@@ -23,6 +23,8 @@ class TakeActions : public QObject {
   void open(const QString& folder);
   /// Shows an animation file of another program in Export.
   void open_animation(const QString& file);
+  /// What the window is about: the animation that is looked at, else the take.
+  void close();
   /// Imports recordings into a new take named after the first, and opens it.
   void import_files(const QStringList& files);
   /// Makes the take in a job and opens it.

@@ -1,6 +1,8 @@
 /// The parts of the wizards that can be checked alone: the map of the sphere, words, who moves, the library's newest.
 #include <QTemporaryDir>
 #include <QTest>
+#include <QVBoxLayout>
+#include <set>
 
 #include "base/units.h"
 #include "calibration/calibration_desk.h"
@@ -8,8 +10,10 @@
 #include "calibration/gauges.h"
 #include "calibration/movement_meter.h"
 #include "calibration/pose_picture.h"
+#include "calibration/sensor_chooser.h"
 #include "calibration/sensor_cube.h"
 #include "calibration/sphere_map.h"
+#include "calibration/verdict_row.h"
 #include "ui/calibration/simulated_wearer.h"
 
 namespace limbwave::ui::testing {
@@ -28,6 +32,47 @@ class CalibrationPartsTest : public QObject {
   }
 
  private Q_SLOTS:
+  void verdicts_fit_narrow_and_wide_windows() {
+    VerdictRowContent content;
+    content.title = QStringLiteral("left upper arm");
+    content.serial = QStringLiteral("LONG-SERIAL-0001");
+    content.state = refused_state();
+    content.text = QStringLiteral("only 2 % of all directions were covered; 65 % are needed");
+    content.comparison = QStringLiteral("go on turning it slowly, for example until −x up");
+    content.acceptable = content.repeatable = true;
+    QWidget window;
+    auto* layout = new QVBoxLayout(&window);
+    auto* row = new VerdictRow(0, true, &window);
+    layout->addWidget(row);
+    row->set_content(content);
+    window.show();
+    for (const int width : {620, 760, 820, 1000, 1400}) {
+      window.resize(width, 300);
+      QTRY_COMPARE(window.width(), width);
+      for (const char* name : {"accept_0", "repeat_0", "discard_0"}) {
+        auto* button = row->findChild<QPushButton*>(QString::fromLatin1(name));
+        QTRY_VERIFY2(row->rect().contains(QRect(button->mapTo(row, QPoint()), button->size())), name);
+        QVERIFY2(button->width() >= button->minimumSizeHint().width(), name);
+      }
+      auto* text = row->findChild<QLabel*>(QStringLiteral("text"));
+      QVERIFY2(text->width() >= 150, qPrintable(QString::number(text->width())));
+    }
+  }
+
+  void names_and_what_is_said_of_them_stand_in_columns() {
+    const body::Rig rig = body::load_rig("line-in-arm").value();
+    SensorChooser chooser;
+    chooser.set_sensors(rig, {0, 1, 2, 3, 4}, {0}, [](int) { return refused_state(); });
+    chooser.resize(500, 400);
+    chooser.show();
+    QTRY_VERIFY(chooser.isVisible());
+    std::set<int> columns;
+    for (VerdictBadge* badge : chooser.findChildren<VerdictBadge*>()) {
+      columns.insert(badge->mapTo(&chooser, QPoint()).x());
+    }
+    QCOMPARE(columns.size(), std::size_t{1});
+  }
+
   void cells_have_equal_areas_and_fill_both_discs() {
     double total = 0.0;
     for (int cell = 0; cell < calibrate::SphereCoverage::kCells; ++cell) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "common/job_runner.h"
+#include "motion/clip.h"
 
 namespace limbwave::ui {
 namespace {
@@ -51,6 +52,40 @@ TEST(TimeModel, ZoomKeepsThePlaceUnderTheCursor) {
   time.zoom(1e-9, 25.0);
   EXPECT_EQ(time.visible_begin_s(), 0.0);
   EXPECT_EQ(time.visible_end_s(), 100.0);
+}
+
+TEST(TimeModel, FramesAreCountedAsAnExportCountsThem) {
+  TimeModel time;
+  EXPECT_EQ(time.frames(), 0);
+  for (const double duration : {40.95, 40.945, 12.0, 0.001}) {
+    time.set_extent(duration, 1.0 / 62.071);
+    EXPECT_EQ(time.frames(), static_cast<qint64>(motion::frame_count(duration, 62.071)));
+    time.set_playhead(duration);
+    EXPECT_EQ(time.frame(), time.frames() - 1) << "the last one, never one more";
+  }
+  time.set_extent(12.0, 1.0 / 60.0);
+  for (const int frame : {0, 1, 59, 60, 719}) {
+    time.set_playhead(frame / 60.0);
+    EXPECT_EQ(time.frame(), frame);
+  }
+  time.set_playhead(59.9 / 60.0);
+  EXPECT_EQ(time.frame(), 59) << "a frame stands until the next";
+}
+
+TEST(TimeModel, ALittleLongerOrShorterKeepsThePlayhead) {
+  TimeModel time;
+  time.set_extent(10.0, 0.1);
+  time.set_playhead(4.0);
+  time.correct_duration(10.05);
+  EXPECT_EQ(time.duration_s(), 10.05);
+  EXPECT_EQ(time.playhead_s(), 4.0);
+  EXPECT_EQ(time.visible_end_s(), 10.05);
+  time.set_visible(2.0, 6.0);
+  time.set_playhead(10.05);
+  time.correct_duration(9.97);
+  EXPECT_EQ(time.playhead_s(), 9.97);
+  EXPECT_EQ(time.visible_begin_s(), 2.0);
+  EXPECT_EQ(time.visible_end_s(), 6.0);
 }
 
 TEST(TimeModel, StepsRestOnFrames) {

@@ -232,6 +232,22 @@ class TimelineWidgetTest : public QObject {
     QCOMPARE(moved.last()[1].toDouble(), 12.0);
   }
 
+  void a_marker_is_caught_by_its_words_too() {
+    canvas().set_markers({{3.0, TimelineMarker::Kind::kMarker, tr("a long name"), 7},
+                          {9.0, TimelineMarker::Kind::kWarning, tr("the volume was moved"), 0}});
+    canvas().set_markers_editable(true);
+    canvas().grab();  // Only what is drawn can be caught.
+    QSignalSpy moved(&canvas(), &TimelineCanvas::marker_moved);
+    const QPoint words = canvas().marker_position(7)->toPoint() + QPoint(45, 0);
+    drag(words, words + QPoint(60, 0));
+    QCOMPARE(moved.size(), 1);
+    QCOMPARE(moved[0][0].toInt(), 7);
+    QVERIFY(std::abs(moved[0][1].toDouble() - 3.0 - 60 * canvas().scale().seconds_per_pixel()) <= 1.0 / 60.0);
+    const QPoint beside = words + QPoint(150, 0);
+    drag(beside, beside + QPoint(60, 0));
+    QCOMPARE(moved.size(), 1);
+  }
+
   void a_marker_is_renamed_in_place() {
     canvas().set_markers({{3.0, TimelineMarker::Kind::kMarker, tr("clap"), 7},
                           {3.0, TimelineMarker::Kind::kLoss, tr("120 samples lost"), 0}});

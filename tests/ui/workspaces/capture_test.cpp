@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "common/format.h"
+#include "common/theme.h"
 #include "plots/overview_view.h"
 #include "plots/scope_view.h"
 #include "plots/sensor_strips.h"
@@ -223,6 +224,41 @@ class CaptureTest : public QObject {
     capture.workspace->model().start_recording();
     QTRY_VERIFY(capture.live().recording());
     QTRY_VERIFY(!capture.find<QToolButton>("format_button")->isEnabled());
+  }
+
+  void health_is_said_in_words_however_low_the_rows_are() {
+    apply_theme(*qApp, ThemeKind::kLight);
+    SensorStrips strips;
+    const QStringList names{QStringLiteral("torso"), QStringLiteral("upper arm"), QStringLiteral("forearm"),
+                            QStringLiteral("hand"), QStringLiteral("fingers")};
+    strips.set_sensors(names);
+    auto snapshot = std::make_shared<solve::LiveSnapshot>();
+    snapshot->health.assign(5, {solve::HealthState::kWarning, "no-calibration", "works, but was never calibrated"});
+    strips.set_snapshot(snapshot);
+    const QColor warning = tone_color(strips.palette(), Tone::kWarning);
+    const auto is_ink = [&](const QColor& c) {
+      return std::abs(c.red() - warning.red()) + std::abs(c.green() - warning.green()) +
+                 std::abs(c.blue() - warning.blue()) <
+             90;
+    };
+    for (const int row : {27, 31, 36, 40, 60}) {
+      strips.resize(800, 38 + 5 * (row + 6));
+      const QImage image = strips.grab().toImage();
+      const double scale = image.devicePixelRatio();
+      int ink = 0, lowest = 0;
+      const int top = 20, bottom = top + row;  // The first card, without its symbol at the right.
+      for (int y = 0; y < static_cast<int>((bottom + 3) * scale); ++y) {
+        for (int x = static_cast<int>(12 * scale); x < static_cast<int>(186 * scale); ++x) {
+          if (is_ink(image.pixelColor(x, y))) {
+            ++ink;
+            lowest = std::max(lowest, y);
+          }
+        }
+      }
+      QVERIFY2(ink > 40, qPrintable(QStringLiteral("%1 pixels at %2").arg(ink).arg(row)));
+      QVERIFY2(lowest < (bottom - 1) * scale, qPrintable(QString::number(row)));
+    }
+    apply_theme(*qApp, ThemeKind::kDark);
   }
 
   void rigs_are_listed_by_title_and_a_choice_can_be_undone() {

@@ -1,11 +1,15 @@
 /// The manual as it is shown: whole, with its pictures, in both themes, and reached from where it is needed.
+#include <QDirIterator>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
+#include <QTextTable>
 #include <QToolButton>
+#include <QTranslator>
 
 #include "common/theme.h"
 #include "ui/support/fake_services.h"
@@ -63,6 +67,77 @@ class ManualTest : public QObject {
     QVERIFY(manual->grab().save(screenshot_path(QStringLiteral("manual-light") + suffix)));
     Q_EMIT text->anchorClicked(QUrl(QStringLiteral("manual:wiring")));
     QCOMPARE(manual->chapter(), QStringLiteral("wiring"));
+  }
+
+  void german_has_every_chapter_with_the_same_pictures_and_links() {
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(LIMBWAVE_BINARY_DIR "/app/studio/limbwave_de.qm")));
+    struct Content {
+      QString text;
+      QStringList links, pictures;
+      int rows = 0;
+    };
+    const auto read = [](const QString& chapter) {
+      ManualWindow manual(shortcut_groups(studio_parts()), nullptr);
+      manual.show_chapter(chapter);
+      auto* text = manual.findChild<ManualBrowser*>();
+      Content content{text->toPlainText(), {}, {}, 0};
+      for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
+        for (auto it = block.begin(); !it.atEnd(); ++it) {
+          const QTextCharFormat format = it.fragment().charFormat();
+          if (format.isAnchor()) {
+            content.links << format.anchorHref();
+          }
+          if (format.isImageFormat()) {
+            content.pictures << format.toImageFormat().name();
+          }
+        }
+      }
+      for (QTextFrame* frame : text->document()->rootFrame()->childFrames()) {
+        const auto* table = qobject_cast<QTextTable*>(frame);
+        content.rows += table != nullptr ? table->rows() : 0;
+      }
+      return content;
+    };
+    const QString suffix =
+        qEnvironmentVariable("QT_SCALE_FACTOR") == QLatin1String("2") ? QStringLiteral("@2x") : QString();
+    for (const QString& chapter : ManualWindow::chapters()) {
+      const Content english = read(chapter);
+      QApplication::installTranslator(&translator);
+      const Content german = read(chapter);
+      ManualWindow manual(shortcut_groups(studio_parts()), nullptr);
+      manual.show();
+      manual.show_chapter(chapter);
+      QTest::qWait(30);
+      QVERIFY(manual.grab().save(screenshot_path(QStringLiteral("manual-german-") + chapter + suffix)));
+      QVERIFY2(!manual.findChild<ManualBrowser*>()->horizontalScrollBar()->isVisible(), qPrintable(chapter));
+      QApplication::removeTranslator(&translator);
+      QVERIFY2(german.text.size() > 300 && german.text != english.text, qPrintable(chapter));
+      QVERIFY2(german.text.contains(QRegularExpression(QStringLiteral("[äöüß]"))), qPrintable(chapter));
+      QCOMPARE(german.links, english.links);
+      QCOMPARE(german.pictures, english.pictures);
+      QCOMPARE(german.rows, english.rows);
+    }
+  }
+
+  void words_in_the_pictures_are_translated() {
+    QDirIterator pictures(QStringLiteral(":/manual/pictures"));
+    const QRegularExpression word(QStringLiteral(">([^<>]+)</text>"));
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(LIMBWAVE_BINARY_DIR "/app/studio/limbwave_de.qm")));
+    int words = 0;
+    while (pictures.hasNext()) {
+      QFile file(pictures.next());
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      for (auto found = word.globalMatch(QString::fromUtf8(file.readAll())); found.hasNext();) {
+        const QString text = found.next().captured(1);
+        if (text.contains(QRegularExpression(QStringLiteral("[a-z]{3}")))) {
+          ++words;
+          QVERIFY2(!translator.translate("ManualPicture", text.toUtf8().constData()).isEmpty(), qPrintable(text));
+        }
+      }
+    }
+    QVERIFY(words > 20);
   }
 
   void keys_are_those_of_the_studio() {

@@ -18,6 +18,7 @@
 
 #include "common/theme.h"
 #include "ui/support/fake_services.h"
+#include "ui/support/solve_fixture.h"
 #include "ui/support/studio_fixture.h"
 #include "workspaces/import_sheet.h"
 #include "workspaces/job_bar.h"
@@ -252,6 +253,26 @@ class ShellTest : public QObject {
     QVERIFY(TakeActions::acceptable({QUrl::fromLocalFile(wav)}));
     QVERIFY(!TakeActions::acceptable({QUrl::fromLocalFile(studio.folder.path())}));
     QVERIFY(!TakeActions::acceptable({QUrl(QStringLiteral("https://example.org/a.wav"))}));
+  }
+
+  void a_take_may_be_opened_when_every_place_was_seen_before() {
+    FakeSolving solving;
+    SolveStudio studio(solving.services(), services());
+    for (const WorkspaceEntry& entry : studio_parts().workspaces) {
+      QVERIFY(studio.window->show_workspace(entry.id));
+    }
+    studio.window->show_workspace(QStringLiteral("welcome"));
+    studio.context->document().set(made_up_take(studio.take_folder(QStringLiteral("one.take")), 2.0));
+    QTRY_COMPARE(studio.model->state(), SolveState::kSolved);
+    QCOMPARE(studio.window->current_workspace(), QStringLiteral("solve"));
+    // Also after one with another number of sensors.
+    take::Take less = made_up_take(studio.take_folder(QStringLiteral("two.take")), 2.0);
+    less.info.rig.accelerometers.pop_back();
+    less.info.rig.groups.clear();
+    studio.context->document().set(less);
+    QTRY_COMPARE(studio.model->state(), SolveState::kSolved);
+    studio.context->document().close();
+    QCOMPARE(studio.model->state(), SolveState::kNoTake);
   }
 
   void shortcuts_are_listed_and_none_is_used_twice() {

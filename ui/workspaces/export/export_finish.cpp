@@ -44,7 +44,12 @@ ExportFinish::ExportFinish(ExportModel& model, QWidget* parent) : QWidget(parent
   make_buttons(card->body());
   column->addWidget(card);
   column->addWidget(make_result());
-  connect(&model_, &ExportModel::choices_changed, this, &ExportFinish::show_plan);
+  connect(&model_, &ExportModel::choices_changed, this, [this] {
+    show_plan();
+    if (failed_) {
+      result_->hide();  // It was about other choices.
+    }
+  });
   connect(&model_, &ExportModel::file_changed, this, &ExportFinish::show_plan);
   connect(&model_, &ExportModel::prepared_changed, this, &ExportFinish::show_plan);
   connect(&model_.sources(), &ExportSourceList::changed, this, &ExportFinish::show_plan);
@@ -254,6 +259,7 @@ void ExportFinish::show_result(const Result<interchange::ExportReport>& result) 
                                 .join(QLatin1Char('\n'))
                                 .trimmed());
   }
+  failed_ = !result.ok();
   result_->show();
 }
 

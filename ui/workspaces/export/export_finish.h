@@ -45,6 +45,7 @@ class ExportFinish : public QWidget {
   QProgressBar* progress_ = nullptr;
   QFrame* result_ = nullptr;
   QLabel *result_icon_ = nullptr, *result_text_ = nullptr, *result_detail_ = nullptr;
+  bool failed_ = false;  ///< What the result tells of.
   std::filesystem::path written_;
 };
 

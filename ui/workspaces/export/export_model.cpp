@@ -12,6 +12,15 @@ namespace {
 
 constexpr int kPrepareAfterMs = 120;  // A spin box that is still moving does not start one at every step.
 
+// What is wrong and what to do. The clip's name as the place says nothing here; a file's does.
+QString refusal_text(const Error& error) {
+  const QString place = QString::fromStdString(error.place);
+  const bool file = place.contains(QLatin1Char('/')) || place.contains(QLatin1Char('.'));
+  const QString what =
+      file ? QStringLiteral("%1: %2.").arg(place, core_text(error.message)) : core_sentence(error.message);
+  return QStringList{what, core_sentence(error.remedy)}.join(QLatin1Char(' ')).trimmed();
+}
+
 }  // namespace
 
 /// All that a job needs, so that it touches nothing of the window's.
@@ -22,6 +31,16 @@ struct ExportModel::Work {
   std::filesystem::path mesh;  ///< Empty: no own mesh.
   ExportFormat format;
   interchange::ExportOptions options;
+  bool propose_rate = false;
+
+  /// With the frame rate that is proposed for the first clip, where none is chosen.
+  [[nodiscard]] interchange::ExportOptions options_for(const std::vector<SharedClip>& loaded) const {
+    interchange::ExportOptions made = options;
+    if (propose_rate && !loaded.empty()) {
+      made.fps = proposed_rate(loaded.front()->frame_rate_hz);
+    }
+    return made;
+  }
 
   Result<std::vector<SharedMesh>> skin(const std::vector<SharedClip>& loaded, const Progress& progress) const {
     std::vector<SharedMesh> skinned;
@@ -59,15 +78,17 @@ ExportModel::ExportModel(StudioContext& context, SolveModel& solves, QObject* pa
 }
 
 void ExportModel::follow_sources() {
+  sources_.set_editor([this](const std::function<void()>& change) { edit(change); });
   connect(&sources_, &ExportSourceList::replaced, this, [this] {
     if (choices_.range == ExportRange::kPart) {
       choices_.range = ExportRange::kAll;  // It was a part of something else.
       Q_EMIT choices_changed();
     }
     prepared_.reset();
+    read_rate_hz_ = 0.0;
     clips_ = std::make_shared<ClipCache>();
     suggested_.clear();
-    set_file({});
+    put_file({});
   });
   connect(&sources_, &ExportSourceList::changed, this, [this] {
     suggest_file();
@@ -96,45 +117,26 @@ const PresetEntry& ExportModel::preset() const {
   return found == presets_.end() ? kNone : *found;
 }
 
-void ExportModel::choose_preset(const std::string& name) {
-  ExportChoices wanted = remembered_choices(context_.settings(), name, choices_.format);
-  wanted.range = choices_.range;
-  wanted.begin_s = choices_.begin_s;
-  wanted.end_s = choices_.end_s;
-  change(wanted);
+double ExportModel::source_rate_hz() const {
+  const ExportSource* source = sources_.source();
+  if (source == nullptr) {
+    return 0.0;
+  }
+  if (source->clip) {
+    return source->clip->frame_rate_hz;
+  }
+  return source->kind == ExportSource::Kind::kOpenSolve && solves_.solve() ? solves_.solve()->clip.frame_rate_hz
+                                                                           : read_rate_hz_;
 }
 
-void ExportModel::change(const ExportChoices& choices) {
-  if (choices == choices_) {
-    return;
-  }
-  const bool other_format = choices.format != choices_.format;
-  choices_ = choices;
-  remember_choices(context_.settings(), choices_);
-  if (other_format && file_ != suggested_) {
-    file_ = with_extension(file_, export_format(choices_.format).extension);
-    Q_EMIT file_changed();
-  }
-  touch();
-  Q_EMIT choices_changed();
-  suggest_file();
+double ExportModel::proposed_rate_hz() const {
+  const ExportSource* source = sources_.source();
+  return source == nullptr || source->kind == ExportSource::Kind::kAnimation ? 0.0 : proposed_rate(source_rate_hz());
 }
 
-void ExportModel::set_file(const QString& file) {
-  if (file != file_) {
-    file_ = file;
-    Q_EMIT file_changed();
-  }
-}
-
-void ExportModel::suggest_file() {
-  if (!has_source() || file_ != suggested_) {
-    return;
-  }
-  const ExportSource& source = *sources_.source();
-  suggested_ = QString::fromStdString(
-      default_export_file(source.origin, source.solve, export_format(choices_.format).extension).string());
-  set_file(suggested_);
+double ExportModel::file_rate_hz() const {
+  const double rate = choices_.fps.value_or(proposed_rate_hz());
+  return rate > 0.0 ? rate : source_rate_hz();
 }
 
 double ExportModel::begin_s() const {
@@ -167,7 +169,8 @@ ExportModel::Work ExportModel::work() const {
             meshes_,
             {},
             export_format(choices_.format),
-            export_options(choices_, *preset().preset, begin_s(), end_s())};
+            export_options(choices_, *preset().preset, begin_s(), end_s()),
+            !choices_.fps && sources_.source()->kind != ExportSource::Kind::kAnimation};
   if (choices_.body == ExportBody::kOwnMesh && made.format.has_frames) {
     made.mesh = choices_.mesh;
   }
@@ -177,12 +180,23 @@ ExportModel::Work ExportModel::work() const {
 void ExportModel::touch() {
   stale_ = true;
   refusal_.reset();
-  if (!has_source()) {
-    prepared_.reset();
+  if (preparing_) {
+    ++attempt_;  // What is being made is of other choices already.
+    preparing_->cancel();
+    preparing_.clear();
     Q_EMIT prepared_changed();
+  }
+  if (!has_source()) {
+    forget_prepared();
   } else if (active_) {
     prepare_soon_.start();
   }
+}
+
+// What was made of other choices is no picture of these.
+void ExportModel::forget_prepared() {
+  prepared_.reset();
+  Q_EMIT prepared_changed();
 }
 
 void ExportModel::prepare() {
@@ -192,9 +206,8 @@ void ExportModel::prepare() {
   prepare_soon_.stop();
   const int attempt = ++attempt_;
   refusal_.reset();
-  if (!has_source() || !preset().preset ||
-      (choices_.body == ExportBody::kOwnMesh && export_format(choices_.format).has_frames && choices_.mesh.empty())) {
-    Q_EMIT prepared_changed();
+  if (!has_source() || !choice_problem().isEmpty()) {
+    forget_prepared();
     return;
   }
   using Shared = std::shared_ptr<const PreparedExport>;
@@ -210,7 +223,7 @@ void ExportModel::prepare() {
           return meshes.error();
         }
         Result<PreparedExport> made =
-            prepare_export(*clips, work.format.format, work.options, *meshes, progress.part(0.8, 1.0));
+            prepare_export(*clips, work.format.format, work.options_for(*clips), *meshes, progress.part(0.8, 1.0));
         return made ? Result<Shared>(std::make_shared<const PreparedExport>(*std::move(made)))
                     : Result<Shared>(made.error());
       },
@@ -222,10 +235,16 @@ void ExportModel::prepare() {
         stale_ = !made;
         if (made) {
           prepared_ = *made;
+          const bool other = read_rate_hz_ != prepared_->source_rate_hz;
+          read_rate_hz_ = prepared_->source_rate_hz;
+          Q_EMIT prepared_changed();
+          if (other) {
+            Q_EMIT choices_changed();  // Only now it is known what is proposed.
+          }
         } else {
           refusal_ = made.error();
+          forget_prepared();
         }
-        Q_EMIT prepared_changed();
       });
   Q_EMIT prepared_changed();
 }
@@ -238,7 +257,7 @@ void ExportModel::set_active(bool active) {
   }
 }
 
-QString ExportModel::problem() const {
+QString ExportModel::choice_problem() const {
   const ExportFormat format = export_format(choices_.format);
   if (preset().error) {
     return core_sentence(preset().error->text());
@@ -252,9 +271,17 @@ QString ExportModel::problem() const {
   if (choices_.range == ExportRange::kPart && choices_.begin_s >= choices_.end_s) {
     return tr("The part ends before it begins.");
   }
-  if (refusal_ && !is_cancelled(*refusal_)) {
-    return core_sentence(refusal_->text());
+  return {};
+}
+
+QString ExportModel::problem() const {
+  if (QString wrong = choice_problem(); !wrong.isEmpty()) {
+    return wrong;
   }
+  if (refusal_ && !is_cancelled(*refusal_)) {
+    return refusal_text(*refusal_);
+  }
+  const ExportFormat format = export_format(choices_.format);
   const std::filesystem::path file = file_.trimmed().toStdString();
   if (sources_.is_read_from(file)) {
     return tr("This is the file that is being exported. Choose another name.");
@@ -267,8 +294,9 @@ QStringList ExportModel::warnings() const {
     return {};
   }
   MotionFacts facts;
+  facts.rate_hz = source_rate_hz();
   if (prepared_) {
-    facts = {prepared_->source_rate_hz, prepared_->person};
+    facts.person = prepared_->person;
   }
   return export_warnings(choices_, *preset().preset, facts);
 }
@@ -299,7 +327,7 @@ void ExportModel::start() {
         for (const SharedClip& clip : *clips) {
           pointers.push_back(clip.get());
         }
-        return write(pointers, file, work.options, progress.part(0.2, 1.0));
+        return write(pointers, file, work.options_for(*clips), progress.part(0.2, 1.0));
       },
       [this](const Result<ExportReport>& result) {
         exporting_.clear();

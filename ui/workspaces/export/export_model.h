@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,14 @@
 #include "workspaces/export/export_words.h"
 
 namespace limbwave::ui {
+
+/// Everything that is chosen on the Export page.
+struct ExportState {
+  ExportSourceState sources;
+  ExportChoices choices;
+  std::optional<QString> file;  ///< Nothing: the name that is proposed.
+  bool operator==(const ExportState&) const = default;
+};
 
 class ExportModel : public QObject {
   Q_OBJECT
@@ -25,6 +34,9 @@ class ExportModel : public QObject {
   [[nodiscard]] const std::vector<PresetEntry>& presets() const { return presets_; }
   /// Reads all presets again; those of the user may have been added.
   void read_presets();
+  /// What the user changes here, the motion and the other actors included, is one step of undo each (export_edits.h).
+  [[nodiscard]] ExportState state() const;
+  void put(const ExportState& state);
   /// With the choices of the last time.
   void choose_preset(const std::string& name);
   /// The chosen one; without `preset` if it cannot be read.
@@ -35,6 +47,13 @@ class ExportModel : public QObject {
 
   [[nodiscard]] const QString& file() const { return file_; }
   void set_file(const QString& file);
+
+  /// Frames a second of the motion that is exported; 0 while it is not known.
+  [[nodiscard]] double source_rate_hz() const;
+  /// What is proposed for it; 0: its own. Animations of other programs keep theirs.
+  [[nodiscard]] double proposed_rate_hz() const;
+  /// Of the file, as it is chosen or proposed; 0 while it is not known.
+  [[nodiscard]] double file_rate_hz() const;
 
   /// The range in seconds of the clip; the end is infinite where it is the clip's.
   [[nodiscard]] double begin_s() const;
@@ -52,6 +71,8 @@ class ExportModel : public QObject {
   void prepare();
   void set_active(bool active);
 
+  /// What is wrong with the choices themselves, so that there is nothing to show; empty: nothing is known.
+  [[nodiscard]] QString choice_problem() const;
   /// Why an export would fail; empty: nothing is known.
   [[nodiscard]] QString problem() const;
   [[nodiscard]] QStringList warnings() const;
@@ -69,6 +90,10 @@ class ExportModel : public QObject {
  private:
   struct Work;
   void follow_sources();
+  void edit(const std::function<void()>& change);
+  void put_choices(const ExportChoices& choices);
+  void put_file(const QString& file);
+  void forget_prepared();
   /// What was prepared is not what would be written now.
   void touch();
   void suggest_file();
@@ -84,7 +109,8 @@ class ExportModel : public QObject {
   std::shared_ptr<MeshCache> meshes_ = std::make_shared<MeshCache>();
   std::shared_ptr<const PreparedExport> prepared_;
   std::optional<Error> refusal_;
-  bool active_ = false, stale_ = true;
+  bool active_ = false, stale_ = true, editing_ = false;
+  double read_rate_hz_ = 0.0;  ///< Of a motion that was read to be exported.
   QTimer prepare_soon_;
   QPointer<Job> preparing_, exporting_;
   int attempt_ = 0;  ///< Counts preparations, so that one that was overtaken is dropped.

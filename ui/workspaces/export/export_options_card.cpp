@@ -24,6 +24,7 @@ using interchange::RestPose;
 using motion::RootMotion;
 
 constexpr int kAsPreset = -1;
+constexpr double kAnother = -1.0, kProposed = -2.0;  // In place of a frame rate.
 
 QDoubleSpinBox* seconds_box(const QString& name, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
@@ -178,10 +179,7 @@ void ExportOptionsCard::follow() {
   }
   connect(rest_frame_, &QCheckBox::toggled, this, &ExportOptionsCard::read);
   connect(&model_, &ExportModel::choices_changed, this, &ExportOptionsCard::show_choices);
-  connect(&model_, &ExportModel::prepared_changed, this, [this] {
-    rates_->setItemText(0, own_rate_text());  // It is known now.
-    show_preparing();
-  });
+  connect(&model_, &ExportModel::prepared_changed, this, [this] { show_preparing(); });
   connect(&context_.time(), &TimeModel::visible_changed, this, [this] { ranges_->setItemText(1, visible_text()); });
   connect(&context_.time(), &TimeModel::extent_changed, this, &ExportOptionsCard::show_choices);
 }
@@ -205,9 +203,19 @@ void ExportOptionsCard::show_choices() {
 }
 
 QString ExportOptionsCard::own_rate_text() const {
-  const auto& prepared = model_.prepared();
-  return prepared ? tr("As the motion has it: %1 Hz").arg(locale().toString(prepared->source_rate_hz, 'g', 6))
-                  : tr("As the motion has it");
+  const double rate = model_.source_rate_hz();
+  return rate > 0.0 ? tr("As the motion has it: %1 Hz").arg(locale().toString(rate, 'g', 6))
+                    : tr("As the motion has it");
+}
+
+QString ExportOptionsCard::proposed_rate_text() const {
+  const double rate = model_.proposed_rate_hz(), own = model_.source_rate_hz();
+  const double shown = rate > 0.0 ? rate : own;
+  if (shown <= 0.0) {
+    return tr("Proposed");
+  }
+  const QString text = tr("Proposed: %1 frames a second").arg(locale().toString(shown, 'g', 6));
+  return std::abs(shown - own) < 1e-9 * own ? tr("%1, as the motion has them").arg(text) : text;
 }
 
 QString ExportOptionsCard::visible_text() const {
@@ -218,17 +226,18 @@ QString ExportOptionsCard::visible_text() const {
 
 void ExportOptionsCard::show_time(const ExportChoices& choices) {
   rates_->clear();
+  rates_->addItem(proposed_rate_text(), kProposed);
   rates_->addItem(own_rate_text(), 0.0);
   for (const double rate : export_rates()) {
     rates_->addItem(tr("%1 frames a second").arg(locale().toString(rate, 'g', 6)), rate);
   }
-  rates_->addItem(tr("Another rate"), -1.0);
-  const int listed = rates_->findData(choices.fps);
-  any_rate_ = listed < 0 || (any_rate_ && choices.fps == any_->value());
+  rates_->addItem(tr("Another rate"), kAnother);
+  const int listed = rates_->findData(choices.fps.value_or(kProposed));
+  any_rate_ = listed < 0 || (any_rate_ && choices.fps && *choices.fps == any_->value());
   rates_->setCurrentIndex(any_rate_ ? rates_->count() - 1 : listed);
   any_->setVisible(any_rate_);
-  if (choices.fps > 0.0) {
-    any_->setValue(choices.fps);
+  if (choices.fps && *choices.fps > 0.0) {
+    any_->setValue(*choices.fps);
   }
 
   const TimeModel& time = context_.time();
@@ -325,14 +334,18 @@ void ExportOptionsCard::read() {
   }
   ExportChoices choices = model_.choices();
   const double rate = rates_->currentData().toDouble();
-  any_rate_ = rate < 0.0;
+  any_rate_ = rate == kAnother;
   if (any_rate_ && sender() == rates_) {
     // Starts from what it was.
-    const bool known = model_.prepared() != nullptr;
+    const double now = model_.file_rate_hz();
     const QSignalBlocker quiet(any_);
-    any_->setValue(choices.fps > 0.0 ? choices.fps : (known ? model_.prepared()->source_rate_hz : any_->value()));
+    any_->setValue(now > 0.0 ? now : any_->value());
   }
-  choices.fps = any_rate_ ? any_->value() : rate;
+  if (rate == kProposed) {
+    choices.fps.reset();
+  } else {
+    choices.fps = any_rate_ ? any_->value() : rate;
+  }
   const auto range = static_cast<ExportRange>(ranges_->currentData().toInt());
   if (range == ExportRange::kPart && choices.range != ExportRange::kPart) {
     choices.begin_s = context_.time().visible_begin_s();

@@ -28,6 +28,7 @@ class ExportOptionsCard : public Card {
   void follow();
   void show_choices();
   [[nodiscard]] QString own_rate_text() const;
+  [[nodiscard]] QString proposed_rate_text() const;
   [[nodiscard]] QString visible_text() const;
   void show_time(const ExportChoices& choices);
   void show_figure(const ExportChoices& choices, const interchange::Preset& preset);

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 #include "base/files.h"
 #include "base/units.h"
@@ -88,6 +89,21 @@ const std::vector<double>& export_rates() {
   return kRates;
 }
 
+double proposed_rate(double own_hz) {
+  constexpr double kSame = 1e-4;  // A clock that is measured is not better known.
+  for (const double rate : export_rates()) {
+    if (std::abs(own_hz / rate - 1.0) < kSame) {
+      return rate;
+    }
+  }
+  for (const double rate : {120.0, 60.0, 50.0, 30.0, 25.0, 24.0}) {
+    if (rate <= own_hz) {
+      return rate;
+    }
+  }
+  return own_hz;
+}
+
 std::vector<PresetEntry> read_presets() {
   std::vector<PresetEntry> entries;
   const std::filesystem::path mine = user_data_folder() / "presets";
@@ -136,7 +152,7 @@ interchange::ExportOptions export_options(const ExportChoices& choices, const in
   options.preset.rest = choices.rest.value_or(preset.rest);
   options.preset.rest_frame = choices.rest_frame.value_or(preset.rest_frame);
   options.preset.bone_map = choices.bone_map.value_or(preset.bone_map);
-  options.fps = choices.fps;
+  options.fps = choices.fps.value_or(0.0);
   options.begin_s = begin_s;
   options.end_s = end_s;
   options.root_motion = choices.root_motion;
@@ -155,8 +171,11 @@ ExportChoices remembered_choices(QSettings& settings, const std::string& preset,
   if (!known && !reads(preset, choices.format)) {
     choices.format = usual_format(preset);
   }
-  const double fps = settings.value(at + QStringLiteral("fps"), 0.0).toDouble();
-  choices.fps = fps >= kLowestRate && fps <= kHighestRate ? fps : 0.0;
+  bool number = false;
+  const double fps = settings.value(at + QStringLiteral("fps")).toDouble(&number);
+  if (number && (fps == 0.0 || (fps >= kLowestRate && fps <= kHighestRate))) {
+    choices.fps = fps;
+  }
   choices.root_motion = get<RootMotion>(settings, at + QStringLiteral("root"), 1);
   choices.rest = get<RestPose>(settings, at + QStringLiteral("rest"), 1);
   choices.rest_frame = get<bool>(settings, at + QStringLiteral("rest_frame"), 1);
@@ -175,7 +194,11 @@ void remember_choices(QSettings& settings, const ExportChoices& choices) {
   const QString at = group(choices.preset);
   settings.setValue(kLastPreset, QString::fromStdString(choices.preset));
   settings.setValue(at + QStringLiteral("format"), choices.format);
-  settings.setValue(at + QStringLiteral("fps"), choices.fps);
+  if (choices.fps) {
+    settings.setValue(at + QStringLiteral("fps"), *choices.fps);
+  } else {
+    settings.remove(at + QStringLiteral("fps"));
+  }
   put(settings, at + QStringLiteral("root"), choices.root_motion);
   put(settings, at + QStringLiteral("rest"), choices.rest);
   put(settings, at + QStringLiteral("rest_frame"), choices.rest_frame);

@@ -29,6 +29,9 @@ ExportFormat export_format(const QString& id);
 std::optional<ExportFormat> format_of_file(const std::filesystem::path& file);
 /// The usual frame rates, hertz, increasing.
 const std::vector<double>& export_rates();
+/// The rate that is proposed for a motion that was measured at `own_hz`: its own where that is a usual one, else the
+/// next of 24, 25, 30, 50, 60 and 120 below it, for programs know no 62.071 Hz; slower ones keep theirs. 0: not known.
+double proposed_rate(double own_hz);
 
 inline constexpr double kLowestRate = 1.0, kHighestRate = 1000.0;
 inline constexpr double kMostTolerance = 45.0;  ///< Degrees.
@@ -40,7 +43,7 @@ enum class ExportBody { kMannequin, kOwnMesh, kNone };
 struct ExportChoices {
   std::string preset = "plain";
   QString format = QStringLiteral("fbx");
-  double fps = 0.0;  ///< 0: as the motion has it.
+  std::optional<double> fps;  ///< 0: as the motion has it; nothing: what is proposed for it.
   ExportRange range = ExportRange::kAll;
   double begin_s = 0.0, end_s = 0.0;  ///< For kPart, time of the clip.
   std::optional<motion::RootMotion> root_motion;

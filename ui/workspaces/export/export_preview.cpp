@@ -128,6 +128,7 @@ QLabel* ExportPreview::add_fact(QGridLayout* grid, const QString& name, int row,
 
 void ExportPreview::follow() {
   connect(&model_, &ExportModel::prepared_changed, this, &ExportPreview::show_prepared);
+  connect(&model_, &ExportModel::choices_changed, this, &ExportPreview::show_prepared);
   connect(&model_, &ExportModel::file_changed, this, &ExportPreview::show_facts);
   connect(&context_.time(), &TimeModel::playhead_changed, this, &ExportPreview::show_pose);
   connect(rest_, &QPushButton::toggled, this, &ExportPreview::show_pose);
@@ -162,7 +163,8 @@ void ExportPreview::show_prepared() {
   if (!active_) {
     return;
   }
-  const auto& prepared = model_.prepared();
+  // Nothing of other choices stands beside a problem.
+  const auto prepared = model_.choice_problem().isEmpty() ? model_.prepared() : nullptr;
   if (prepared != shown_) {
     const bool other = prepared && (!shown_ || shown_->skeleton.segments.size() != prepared->skeleton.segments.size());
     shown_ = prepared;
@@ -271,6 +273,7 @@ void ExportPreview::show_pose() {
   if (!shown_) {
     instead_->setText(model_.preparing() != nullptr ? tr("The preview is being made.")
                                                     : tr("There is no preview of these choices."));
+    at_->clear();
     return;
   }
   if (!active_) {
@@ -289,6 +292,9 @@ void ExportPreview::show_pose() {
     at_->setText(shown_->partial && time > end ? tr("Very long: the picture ends at %1").arg(format_clock(end))
                                                : tr("Frame %1 of %2").arg(counted(frame_), counted(last)));
     shown_->pose_at(time, poses_);
+  }
+  if (!model_.up_to_date()) {
+    at_->setText(tr("Of earlier choices; being made again"));
   }
   viewer_->set_pose(poses_);
 }

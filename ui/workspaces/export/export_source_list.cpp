@@ -28,8 +28,9 @@ const ExportSource* ExportSourceList::source() const {
 void ExportSourceList::follow_document(bool other) {
   if (other) {
     others_.clear();
-    if (context_.document().is_open()) {
-      chosen_ = -1;  // The take that was opened comes before animations.
+    take_first_ = context_.document().is_open();  // It comes before animations.
+    if (take_first_) {
+      chosen_ = -1;
     }
     Q_EMIT replaced();
   }
@@ -37,14 +38,18 @@ void ExportSourceList::follow_document(bool other) {
 }
 
 void ExportSourceList::refresh() {
+  offer(source() != nullptr ? source()->key() : std::string());
+}
+
+// Lists what there is; `wanted` by its key, or what comes first.
+void ExportSourceList::offer(const std::string& wanted) {
   const std::string before = source() != nullptr ? source()->key() : std::string();
   offered_.clear();
   const auto& take = context_.document().take();
   if (solves_.solve() && take) {
     const std::string current = solves_.settings().name;
     const QString name = context_.document().name();
-    offered_.push_back(
-        {ExportSource::Kind::kOpenSolve, tr("%1 (open, with your edits)").arg(name), current, take->folder, {}});
+    offered_.push_back({ExportSource::Kind::kOpenSolve, tr("%1, as edited").arg(name), current, take->folder, {}});
     for (const std::string& solve : solves_.names()) {
       if (solve != current) {
         offered_.push_back({ExportSource::Kind::kSolve,
@@ -57,10 +62,13 @@ void ExportSourceList::refresh() {
   }
   offered_.insert(offered_.end(), animations_.begin(), animations_.end());
   const auto same =
-      std::find_if(offered_.begin(), offered_.end(), [&](const ExportSource& one) { return one.key() == before; });
-  const bool kept = same != offered_.end();
-  chosen_ = kept ? static_cast<int>(same - offered_.begin()) : (offered_.empty() ? -1 : 0);
-  if (!kept) {
+      std::find_if(offered_.begin(), offered_.end(), [&](const ExportSource& one) { return one.key() == wanted; });
+  const bool found = same != offered_.end();
+  const bool opened = take_first_ && !offered_.empty() && offered_.front().kind == ExportSource::Kind::kOpenSolve;
+  take_first_ = take_first_ && !opened;
+  chosen_ = found && !opened ? static_cast<int>(same - offered_.begin()) : (offered_.empty() ? -1 : 0);
+  name_animation();
+  if (!found || source()->key() != before) {
     show_extent();
     Q_EMIT replaced();
   }
@@ -71,14 +79,41 @@ void ExportSourceList::choose(int index) {
   if (index == chosen_ || index < 0 || static_cast<std::size_t>(index) >= offered_.size()) {
     return;
   }
+  edit_([this, index] { show(index); });
+}
+
+void ExportSourceList::show(int index) {
   chosen_ = index;
+  take_first_ = false;
+  name_animation();
   show_extent();
   Q_EMIT replaced();
   Q_EMIT changed();
 }
 
+ExportSourceState ExportSourceList::state() const {
+  return {source() != nullptr ? source()->key() : std::string(), animations_, others_};
+}
+
+void ExportSourceList::put(const ExportSourceState& state) {
+  if (state != this->state()) {
+    animations_ = state.animations;
+    others_ = state.others;
+    offer(state.chosen);
+  }
+}
+
+// An animation is what the window is about as long as it is looked at, or when no take is open.
+void ExportSourceList::name_animation() {
+  const bool animation = source() != nullptr && source()->kind == ExportSource::Kind::kAnimation;
+  context_.set_animation(animation && (shown_ || !context_.document().is_open())
+                             ? QString::fromStdString(source()->origin.filename().string())
+                             : QString());
+}
+
 void ExportSourceList::set_shown(bool shown) {
   shown_ = shown;
+  name_animation();
   show_extent();
 }
 
@@ -94,19 +129,25 @@ void ExportSourceList::show_extent() {
   const double frame_s = 1.0 / std::max(1.0, clip->frame_rate_hz);
   if (std::abs(time.duration_s() - clip->duration()) >= frame_s || time.frame_s() != frame_s) {
     time.set_extent(clip->duration(), frame_s);
+  } else {
+    time.correct_duration(clip->duration());
   }
 }
 
 void ExportSourceList::add_take(const QString& folder) {
   const std::filesystem::path path = folder.toStdString();
-  others_.push_back({ExportSource::Kind::kTake, QFileInfo(folder).completeBaseName(), {}, path, {}});
-  Q_EMIT changed();
+  edit_([&] {
+    others_.push_back({ExportSource::Kind::kTake, QFileInfo(folder).completeBaseName(), {}, path, {}});
+    Q_EMIT changed();
+  });
 }
 
 void ExportSourceList::remove_other(int index) {
   if (index >= 0 && static_cast<std::size_t>(index) < others_.size()) {
-    others_.erase(others_.begin() + index);
-    Q_EMIT changed();
+    edit_([&] {
+      others_.erase(others_.begin() + index);
+      Q_EMIT changed();
+    });
   }
 }
 
@@ -148,18 +189,30 @@ void ExportSourceList::take_over(const QString& file, const std::vector<SharedCl
     read.push_back({ExportSource::Kind::kAnimation, title, {}, origin, clip});
   }
   if (as_actor) {
-    others_.push_back(read.front());
-    Q_EMIT changed();
+    edit_([&] {
+      others_.push_back(read.front());
+      Q_EMIT changed();
+    });
     return;
   }
-  std::erase_if(animations_, [&](const ExportSource& one) { return one.origin == origin; });
-  animations_.insert(animations_.end(), read.begin(), read.end());
-  refresh();
-  const std::string key = read.front().key();
-  const auto found =
-      std::find_if(offered_.begin(), offered_.end(), [&](const ExportSource& one) { return one.key() == key; });
-  chosen_ = -1;  // Chosen anew, also when the same file was read again.
-  choose(static_cast<int>(found - offered_.begin()));
+  edit_([&] {
+    std::erase_if(animations_, [&](const ExportSource& one) { return one.origin == origin; });
+    animations_.insert(animations_.end(), read.begin(), read.end());
+    chosen_ = -1;  // Chosen anew, also when the same file was read again.
+    take_first_ = false;
+    offer(read.front().key());
+  });
+}
+
+bool ExportSourceList::close_animations() {
+  if (animations_.empty()) {
+    return false;
+  }
+  edit_([&] {
+    animations_.clear();
+    refresh();
+  });
+  return true;
 }
 
 std::vector<ClipRequest> ExportSourceList::requests() const {

@@ -2,12 +2,22 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "workspaces/export/export_sources.h"
 #include "workspaces/solve/solve_model.h"
 
 namespace limbwave::ui {
+
+/// What was chosen, for undo.
+struct ExportSourceState {
+  std::string chosen;  ///< Key of what is exported; empty: nothing.
+  std::vector<ExportSource> animations, others;
+  bool operator==(const ExportSourceState&) const = default;
+};
 
 class ExportSourceList : public QObject {
   Q_OBJECT
@@ -23,6 +33,12 @@ class ExportSourceList : public QObject {
   /// Those that go into the same file beside it.
   [[nodiscard]] const std::vector<ExportSource>& others() const { return others_; }
   void choose(int index);
+  [[nodiscard]] ExportSourceState state() const;
+  /// As it was, as far as what it was chosen from is still there.
+  void put(const ExportSourceState& state);
+  /// Is handed every change that the user asks for, and is to do it; by default it is only done.
+  using Edit = std::function<void(const std::function<void()>& change)>;
+  void set_editor(Edit edit) { edit_ = std::move(edit); }
 
   /// Reads an animation in a job: all its movements are offered and the first is chosen, or (`as_actor`) it is one more
   /// actor. What is wrong with a file is posted as a notification.
@@ -30,6 +46,8 @@ class ExportSourceList : public QObject {
   /// A take that is solved, as one more actor.
   void add_take(const QString& folder);
   void remove_other(int index);
+  /// False when none is open.
+  bool close_animations();
 
   /// How a job gets the chosen one and the others, in this order. Not to be called when there is nothing.
   [[nodiscard]] std::vector<ClipRequest> requests() const;
@@ -46,6 +64,9 @@ class ExportSourceList : public QObject {
  private:
   void follow_document(bool other);
   void refresh();
+  void offer(const std::string& wanted);
+  void show(int index);
+  void name_animation();
   void take_over(const QString& file, const std::vector<SharedClip>& clips, bool as_actor);
   void show_extent();
   [[nodiscard]] ClipRequest request(const ExportSource& source) const;
@@ -53,8 +74,10 @@ class ExportSourceList : public QObject {
   StudioContext& context_;
   SolveModel& solves_;
   std::vector<ExportSource> offered_, animations_, others_;
+  Edit edit_ = [](const std::function<void()>& change) { change(); };
   int chosen_ = -1;
   bool shown_ = false;
+  bool take_first_ = false;  ///< A take was opened: it is chosen as soon as it is solved.
 };
 
 }  // namespace limbwave::ui

@@ -5,6 +5,9 @@
 namespace limbwave::ui {
 
 std::string ExportSource::key() const {
+  if (kind == Kind::kOpenSolve) {
+    return std::to_string(static_cast<int>(kind)) + '\n' + solve;  // Whatever the take is called.
+  }
   return std::to_string(static_cast<int>(kind)) + '\n' + origin.string() + '\n' + solve +
          (kind == Kind::kAnimation ? '\n' + title.toStdString() : std::string());
 }

@@ -26,6 +26,7 @@ struct ExportSource {
   SharedClip clip;               ///< Of animations, which are read when they are chosen.
   /// What tells sources apart: one that stands for the same has the same.
   [[nodiscard]] std::string key() const;
+  bool operator==(const ExportSource&) const = default;
 };
 
 /// Reads a take's solve from disk; in a job.

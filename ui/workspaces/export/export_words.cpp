@@ -173,7 +173,7 @@ QStringList export_warnings(const ExportChoices& choices, const interchange::Pre
     warnings << ExportWords::tr("The bones do not look like a person's: they keep their names and their rest pose.");
   }
   constexpr double kSameRate = 1.001;
-  if (motion.rate_hz > 0.0 && choices.fps > motion.rate_hz * kSameRate) {
+  if (motion.rate_hz > 0.0 && choices.fps.value_or(0.0) > motion.rate_hz * kSameRate) {
     warnings << ExportWords::tr("The motion has %1 frames a second; the frames in between are interpolated.")
                     .arg(rate_text(motion.rate_hz));
   }

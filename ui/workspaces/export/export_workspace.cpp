@@ -94,6 +94,8 @@ void ExportWorkspace::deactivate() {
 void ExportWorkspace::reveal(const QString& topic) {
   if (topic.startsWith(kAnimationTopic)) {
     model_->sources().open_animation(topic.mid(kAnimationTopic.size()));
+  } else if (topic == QLatin1String("close")) {
+    model_->sources().close_animations();
   }
 }
 

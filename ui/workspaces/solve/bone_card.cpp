@@ -11,7 +11,7 @@
 
 #include "base/units.h"
 #include "common/theme.h"
-#include "timeline/timeline_geometry.h"
+#include "timeline/timeline_layout.h"
 #include "workspaces/solve/quality_text.h"
 
 namespace limbwave::ui {
@@ -247,8 +247,7 @@ void BoneCard::show_keys() {
       if (model_.key_editor().is_selected({segment_, key.id})) {
         current = static_cast<int>(texts.size());
       }
-      texts << tr("%1    %2°")
-                   .arg(QString::fromStdString(time_label(key.time_s, 0.001)), signed_number(degrees(key.value), 1));
+      texts << tr("%1    %2°").arg(time_text(key.time_s, 0.001), signed_number(degrees(key.value), 1));
     }
   }
   while (list_->count() > texts.size()) {

@@ -162,7 +162,8 @@ void SolveModel::load_keys() {
 void SolveModel::set_extent(double duration_s, double frame_s) {
   TimeModel& time = context_.time();
   if (std::abs(time.duration_s() - duration_s) < frame_s && time.frame_s() == frame_s) {
-    return;  // Solved again: the playhead stays.
+    time.correct_duration(duration_s);  // Solved again: the playhead stays.
+    return;
   }
   time.set_extent(duration_s, frame_s);
 }

@@ -1,17 +1,15 @@
 #include "workspaces/solve/solve_workspace.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QScrollArea>
-#include <QSplitter>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/core_text.h"
 #include "common/format.h"
@@ -21,9 +19,7 @@
 #include "common/widgets.h"
 #include "workspaces/record_banner.h"
 #include "workspaces/solve/bone_card.h"
-#include "workspaces/solve/quality_card.h"
 #include "workspaces/solve/quality_text.h"
-#include "workspaces/solve/settings_card.h"
 #include "workspaces/solve/solve_pose.h"
 
 namespace limbwave::ui {
@@ -64,97 +60,6 @@ SolveWorkspace::SolveWorkspace(StudioContext& context, QWidget* parent)
   follow_live();
 }
 
-QWidget* SolveWorkspace::make_toolbar() {
-  auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
-  row->setSpacing(4);
-  verdict_ = new QLabel(bar);
-  verdict_->setObjectName(QStringLiteral("solve_verdict"));
-  row->addWidget(verdict_);
-  row->addSpacing(4);
-  status_ = new ElidedLabel({}, bar);
-  status_->setFont(tabular(font()));
-  live_button_ = new QPushButton(tr("Live"), bar);
-  live_button_->setCheckable(true);
-  live_button_->setToolTip(tr("Show what is being captured instead of the take"));
-  status_->setObjectName(QStringLiteral("solve_status"));
-  row->addWidget(status_, 1);
-  row->addWidget(live_button_);
-  row->addSpacing(kGrid);
-  const auto view = [&](const QString& text, const QString& keys, ViewDirection direction) {
-    auto* button = new QPushButton(text, bar);
-    button->setProperty("flat", true);
-    button->setToolTip(tr("Look from this side (%1)").arg(keys));
-    connect(button, &QPushButton::clicked, this, [this, direction] { viewer_->look(direction); });
-    row->addWidget(button);
-  };
-  view(tr("Front"), tr("Shift+F"), ViewDirection::kFront);
-  view(tr("Side"), tr("Shift+S"), ViewDirection::kSide);
-  view(tr("Top"), tr("Shift+T"), ViewDirection::kTop);
-  QToolButton* frame = icon_button(QStringLiteral("frame"), tr("Frame the selection (F)"), bar);
-  connect(frame, &QToolButton::clicked, this, [this] { viewer_->frame_selection(); });
-  row->addWidget(frame);
-  const auto toggle = [&](const QString& icon_name, const QString& text, auto&& handler) {
-    QToolButton* button = icon_button(icon_name, text, bar);
-    button->setCheckable(true);
-    button->setChecked(true);
-    connect(button, &QToolButton::toggled, this, handler);
-    row->addWidget(button);
-    return button;
-  };
-  toggle(QStringLiteral("grid"), tr("Show the floor"), [this](bool on) { viewer_->set_floor_visible(on); });
-  toggle(QStringLiteral("sensor"), tr("Show the sensors"), [this](bool on) { viewer_->set_sensors_visible(on); });
-  // Not at first: without headings the two point elsewhere, which looks like a fault of the solve.
-  ghost_ = toggle(QStringLiteral("person"), tr("Show the truth of this simulated take"),
-                  [this](bool on) { viewer_->set_ghost_visible(on); });
-  ghost_->setChecked(false);
-  connect(live_button_, &QPushButton::clicked, this, [this](bool live) {
-    wish_ = live;
-    follow_live();
-  });
-  return bar;
-}
-
-QWidget* SolveWorkspace::make_failure_bar() {
-  failure_bar_ = new QWidget(this);
-  auto* row = new QHBoxLayout(failure_bar_);
-  row->setContentsMargins(2 * kGrid, kGrid / 2, kGrid, kGrid / 2);
-  row->setSpacing(kGrid);
-  failure_ = new QLabel(failure_bar_);
-  failure_->setWordWrap(true);
-  failure_icon_ = new QLabel(failure_bar_);
-  retry_ = new QPushButton(tr("Try again"), failure_bar_);
-  calibrate_ = new QPushButton(tr("Calibrate"), failure_bar_);
-  row->addWidget(failure_icon_);
-  row->addWidget(failure_, 1);
-  row->addWidget(calibrate_);
-  row->addWidget(retry_);
-  failure_bar_->hide();
-  return failure_bar_;
-}
-
-QWidget* SolveWorkspace::make_main_page() {
-  auto* page = new QWidget(this);
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  viewer_ = new ViewerWidget(page);
-  curves_ = new CurvesPanel(context_.time(), page);
-  layout->addWidget(make_toolbar());
-  layout->addWidget(make_failure_bar());
-  auto* splitter = new QSplitter(Qt::Vertical, page);
-  splitter->setObjectName(QStringLiteral("solve_splitter"));
-  splitter->setChildrenCollapsible(false);
-  splitter->addWidget(viewer_);
-  splitter->addWidget(curves_);
-  splitter->setStretchFactor(0, 1);
-  splitter->setStretchFactor(1, 0);
-  splitter->setSizes({480, curves_->sizeHint().height()});
-  layout->addWidget(splitter, 1);
-  return page;
-}
-
 void SolveWorkspace::follow_context() {
   connect(&model_, &SolveModel::state_changed, this, &SolveWorkspace::show_state);
   connect(&model_, &SolveModel::solve_changed, this, [this] {
@@ -177,6 +82,11 @@ void SolveWorkspace::follow_context() {
   connect(calibrate_, &QPushButton::clicked, this, [this] { context_.reveal(QStringLiteral("calibrate")); });
   connect(&model_, &SolveModel::pose_changed, this, &SolveWorkspace::show_pose);
   connect(&context_.time(), &TimeModel::playhead_changed, this, &SolveWorkspace::show_pose);
+  connect(&context_.time(), &TimeModel::playing_changed, this, [this](bool playing) {
+    if (!playing) {
+      end_demo_hint();
+    }
+  });
   connect(&context_.selection(), &Selection::changed, this, &SolveWorkspace::show_selection);
   const auto choose = [this](int segment) {
     if (segment < 0) {
@@ -208,9 +118,16 @@ void SolveWorkspace::play_first_demo() {
     context_.settings().setValue(setting, true);
     context_.time().set_looping(true);
     context_.time().set_playing(true);
-    context_.notifications().post(Severity::kInfo, tr("This is the demo, playing."),
-                                  tr("Space stops it. Drag in the timeline to look at a moment, drag in the picture to "
-                                     "look from elsewhere."));
+    demo_hint_ = context_.notifications().post(
+        Severity::kInfo, tr("This is the demo, playing."),
+        tr("Space stops it. Drag in the timeline to look at a moment, drag in the picture "
+           "to look from elsewhere."));
+  }
+}
+
+void SolveWorkspace::end_demo_hint() {
+  if (demo_hint_ != 0) {
+    context_.notifications().dismiss(std::exchange(demo_hint_, 0));
   }
 }
 
@@ -223,6 +140,7 @@ void SolveWorkspace::activate() {
 }
 
 void SolveWorkspace::deactivate() {
+  end_demo_hint();
   active_ = false;
   live_timer_.stop();
   model_.set_shows_live(false);  // Other places speak of the take.
@@ -267,7 +185,8 @@ void SolveWorkspace::show_state() {
     status_->set_text(state == SolveState::kLoading ? tr("Reading the solve…") : tr("Solving…"));
   } else if (model_.solve()) {
     const motion::Clip& clip = model_.solve()->clip;
-    const std::size_t frames = clip.joints.empty() ? 0 : clip.joints.front().rotation.times.size();
+    // As the timeline counts and an export writes them: from time 0 on, also before the first reading.
+    const std::size_t frames = motion::frame_count(clip.duration(), clip.frame_rate_hz);
     QString facts = tr("%1 of motion, %2 frames at %3 Hz")
                         .arg(format_clock_tenths(clip.duration()), locale().toString(qulonglong(frames)),
                              locale().toString(clip.frame_rate_hz, 'f', 2));
@@ -362,33 +281,6 @@ void SolveWorkspace::show_selection() {
   const int segment = segment_of_selection(context_.selection().item(), model_);
   viewer_->select(segment);
   curves_->select_segment(segment);
-}
-
-QWidget* SolveWorkspace::create_inspector() {
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  auto* content = new QWidget(area);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
-  layout->setSpacing(kGrid);
-  layout->addWidget(new BoneCard(context_, model_, content));
-  auto* of_take = new QWidget(content);
-  auto* cards = new QVBoxLayout(of_take);
-  cards->setContentsMargins(0, 0, 0, 0);
-  cards->setSpacing(kGrid);
-  cards->addWidget(new SettingsCard(model_, of_take));
-  cards->addWidget(new TruthCard(model_, of_take));
-  cards->addWidget(new QualityCard(model_, of_take));
-  layout->addWidget(of_take);
-  layout->addStretch(1);
-  // Beside the live figure nothing is said about the take.
-  connect(&model_, &SolveModel::shows_live_changed, of_take,
-          [this, of_take] { of_take->setVisible(!model_.shows_live()); });
-  of_take->setVisible(!model_.shows_live());
-  area->setWidget(content);
-  return area;
 }
 
 void SolveWorkspace::reveal(const QString& topic) {

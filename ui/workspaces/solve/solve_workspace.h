@@ -46,6 +46,8 @@ class SolveWorkspace : public Workspace {
   void follow_live();
   void follow_recording();
   void play_first_demo();
+  /// What was said of the demo is not true any more.
+  void end_demo_hint();
   void set_live(bool live);
   void show_state();
   void show_verdict();
@@ -81,6 +83,7 @@ class SolveWorkspace : public Workspace {
   static constexpr std::size_t kFiguresUnderWay = 8;  // more are never on their way to the screen
   std::vector<ShownFigure> shown_figures_;            // newest last
   bool live_ = false, active_ = false;
+  int demo_hint_ = 0;
   /// What the user asked for with the Live button, until another take or recording begins.
   std::optional<bool> wish_;
   bool recorded_ = false;  ///< A take is being recorded.
