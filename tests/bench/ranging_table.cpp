@@ -6,15 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/units.h"
-#include "evaluate/driver_box_evaluation.h"
-#include "evaluate/range_breakdown.h"
-#include "solve/driver_box.h"
-#include "take/take.h"
+#include "support/ranging_take.h"
 
 namespace {
 
@@ -29,15 +24,17 @@ T need(Result<T> result) {
   return std::move(result).value();
 }
 
-void row(const std::string& name, const evaluate::RangeStatistics& r) {
-  const auto clear = static_cast<double>(std::max<std::int64_t>(1, r.clear));
-  fmt::print("| {} | {} | {} | {:.1f} | {:.3f} | {:.3f} | {:.1e} | {:.1e} | {:.2f} | {:.2f} | {:.2f} | {:.1e} |\n",
-             name, r.clear, r.accepted, 100.0 * static_cast<double>(r.clear_accepted) / clear, r.median_mm, r.p95_mm,
-             r.slips, r.wrong, 100.0 * r.missed_occlusions, 100.0 * r.false_occlusions, r.nis, r.beyond_3_sd);
-}
-
 double percent(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+void row(const std::string& name, const evaluate::RangeStatistics& r, const evaluate::RangeGroup& bar) {
+  fmt::print(
+      "| {} | {} | {} | {:.1f} | {} | {:.1f} | {:.3f} | {:.3f} | {:.1e} | {:.1e} | {:.2f} | {:.2f} | {:.2f} | {:.1e} "
+      "|\n",
+      name, r.clear, r.accepted, percent(r.clear_accepted, r.clear), bar.clear, percent(bar.accepted(), bar.clear),
+      r.median_mm, r.p95_mm, r.slips, r.wrong, 100.0 * r.missed_occlusions, 100.0 * r.false_occlusions, r.nis,
+      r.beyond_3_sd);
 }
 
 void why_row(const std::string& name, const evaluate::RangeGroup& g) {
@@ -73,8 +70,10 @@ void why(const evaluate::RangeBreakdown& breakdown) {
 }
 
 // One line per reading, beside its truth.
-void csv_line(std::FILE* out, const evaluate::DriverBoxTruth& truth, const decode::RangeReading& r, double scale,
-              double rate_hz) {
+void csv_line(std::FILE* out, const testing_support::RangingTake& take, const decode::RangeReading& r) {
+  const evaluate::DriverBoxTruth& truth = take.truth;
+  const double rate_hz = take.take.info.format.rate.hz;
+  const double scale = truth.speed_of_sound / solve::ranging_calibration(take.take.info).speed_of_sound;
   const auto pulse = std::lower_bound(truth.pulses.begin(), truth.pulses.end(), r.emission.value,
                                       [](const auto& p, std::int64_t emission) { return p.emission < emission; });
   if (pulse == truth.pulses.end() || pulse->emission != r.emission.value) {
@@ -122,51 +121,33 @@ int main(int argc, char** argv) {
     }
   }
   fmt::print(
-      "| take | clear pairs | accepted | of clear, % | median, mm | 95 %, mm | slips | off by > 20 mm | occluded "
-      "missed, "
-      "% | clear flagged, % | error² / variance | beyond 3 σ |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- "
-      "| --- | --- | --- |\n");
+      "| take | clear pairs | accepted | of clear, % | clear at 25 dB and 3 m/s | of these, % | median, mm | 95 %, mm "
+      "| "
+      "slips | off by > 20 mm | occluded missed, % | clear flagged, % | error² / variance | beyond 3 σ |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& name : takes) {
-    const take::Take take = need(take::open_take(name));
-    const evaluate::DriverBoxTruth truth = need(evaluate::load_driver_box_truth(take.folder / "truth.json"));
-    const body::DriverBoxSignal& box = take.info.rig.driver_box.value();
-    const evaluate::DriverBoxComparison fresh(truth, take.info.format.rate.hz, box.pulse_hz,
-                                              solve::ranging_calibration(take.info).speed_of_sound,
-                                              box.gyroscope_range_rad_s, box.accelerometer_range_g * kStandardGravity);
-    std::vector<evaluate::DriverBoxComparison> each(1 + take.info.rig.microphones.size(), fresh);
-    std::optional<evaluate::Truth> poses;
-    std::optional<evaluate::RangeBreakdown> breakdown;
-    if (explain) {
-      poses = need(evaluate::load_truth(take.folder / "truth.json"));
-      breakdown.emplace(truth, *poses, take.info);
-    }
-    const double scale = truth.speed_of_sound / solve::ranging_calibration(take.info).speed_of_sound;
-    const auto report = need(solve::decode_driver_box(
-        take, parameters,
-        [&](std::span<const decode::RangeReading> ranges, std::span<const decode::InertialReading>) -> Status {
-          for (const decode::RangeReading& reading : ranges) {
-            each.front().add(reading);
-            if (breakdown) {
-              breakdown->add(reading);
-            }
-            if (csv != nullptr) {
-              csv_line(csv, truth, reading, scale, take.info.format.rate.hz);
-            }
-            if (wires) {
-              each[1 + static_cast<std::size_t>(reading.receiver)].add(reading);
-            }
-          }
-          return {};
-        },
-        {}));
-    row(take.folder.stem().string(), each.front().ranges());
+    const auto opened = need(testing_support::open_ranging_take(name));
+    const take::Take& take = opened->take;
+    std::vector<evaluate::DriverBoxComparison> each(1 + take.info.rig.microphones.size(), opened->comparison());
+    evaluate::RangeBreakdown breakdown = opened->breakdown();
+    const auto report = need(opened->decode(parameters, [&](const decode::RangeReading& reading) {
+      each.front().add(reading);
+      breakdown.add(reading);
+      if (csv != nullptr) {
+        csv_line(csv, *opened, reading);
+      }
+      if (wires) {
+        each[1 + static_cast<std::size_t>(reading.receiver)].add(reading);
+      }
+    }));
+    row(take.folder.stem().string(), each.front().ranges(), breakdown.at_bar());
     if (wires) {
       for (std::size_t w = 0; w < take.info.rig.microphones.size(); ++w) {
-        row("- " + take.info.rig.microphones[w].name, each[1 + w].ranges());
+        row("- " + take.info.rig.microphones[w].name, each[1 + w].ranges(), {});
       }
     }
-    if (breakdown) {
-      why(*breakdown);
+    if (explain) {
+      why(breakdown);
     }
     fmt::print(stderr, "{:.1f} s in {:.2f} s\n", static_cast<double>(take.info.frames) / take.info.format.rate.hz,
                report.seconds);
