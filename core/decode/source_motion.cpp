@@ -70,7 +70,8 @@ void SourceMotion::turn(std::size_t wire, const SourceStep& step, const FeltMoti
   board.f_mean_C = back * board.f_mean_C + share * (step.f_C - board.f_mean_C);
   const Vector3d up = board.f_mean_C.normalized();
   const Vector3d level = board.f_mean.normalized().cross(up);
-  const Vector3d heading = -up * up.dot(geometry::log_so3(board.turned)) * (step.dt / kReturn);
+  const double untold = 1.0 / (1.0 + board.information);
+  const Vector3d heading = -up * up.dot(geometry::log_so3(board.turned)) * (untold * step.dt / kReturn);
   board.turned = (geometry::exp_so3(share * level + heading) * board.turned).normalized();
   board.f_mean += (share * level).cross(board.f_mean);
 }

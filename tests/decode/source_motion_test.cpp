@@ -96,7 +96,7 @@ TEST(SourceMotion, PlacesGetSurerWithHeadings) {
     }
   }
   EXPECT_GT(first, 0.2);  // 0.3 m of limb in any direction
-  EXPECT_LT(last, 0.03);
+  EXPECT_LT(last, 0.04);
 }
 
 TEST(SourceMotion, WithoutWordsNothingIsPlaced) {
