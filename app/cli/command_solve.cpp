@@ -18,6 +18,7 @@ void add_solve(CLI::App& app, Console& console) {
     std::string left = "auto", right = "auto";
     double coupling = -1.0;
     std::string json, start = "any", save_state, resume;
+    bool tune = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("solve", "Turn the signals of a take into a moving skeleton");
@@ -29,8 +30,9 @@ void add_solve(CLI::App& app, Console& console) {
       ->add_option(
           "--method", options->method,
           "inclination: from the direction of gravity; filter: all sensors together on the whole skeleton; smoother: "
-          "the same from both sides in time")
-      ->check(CLI::IsMember({"inclination", "filter", "smoother"}))
+          "the same from both sides in time; batch: the smoother again and again, each linearised about the one "
+          "before, until that changes nothing")
+      ->check(CLI::IsMember({"inclination", "filter", "smoother", "batch"}))
       ->capture_default_str();
   command
       ->add_option(
@@ -72,6 +74,8 @@ void add_solve(CLI::App& app, Console& console) {
       ->capture_default_str();
   command->add_option("--save-state", options->save_state, "Save the filter's last state, to resume from");
   command->add_option("--resume", options->resume, "Resume from a saved state: the take is the next part of one");
+  command->add_flag("--tune", options->tune,
+                    "Find how noisy sensors and how lively the wearer are from the take's first seconds");
   add_json_option(*command, options->json, "Write the quality report as JSON");
   command->footer("Example: limbwave solve reach.take --smoothing adaptive --name final");
   command->callback([options, command, &console] {
@@ -101,12 +105,19 @@ void add_solve(CLI::App& app, Console& console) {
     if (take.info.kind == "line-in" && options->method != "inclination") {
       console.fail({"is a recording of a sound card", options->take, "choose --method inclination"});
     }
+    if (options->tune && options->method == "inclination") {
+      console.fail({"is for the body filter", "--tune", "choose --method filter, smoother or batch"});
+    }
     const auto solved = [&] {
       if (options->method == "inclination") {
         settings.headings = solve::known_headings(take, settings.name);  // The user's own; nothing else knows them.
         return solve::solve_take(take, settings, console.progress());
       }
-      solve::BodySolveSettings body{settings.name, options->sensors, options->method == "smoother", options->root};
+      const bool batch = options->method == "batch";
+      solve::BodySolveSettings body{settings.name, options->sensors, batch || options->method == "smoother",
+                                    options->root};
+      body.optimise = batch;
+      body.tune = options->tune;
       body.sensors = command->count("--sensors") > 0 ? options->sensors : "AGD";
       body.root = command->count("--root") > 0 ? options->root : "free";
       body.start = options->start == "rest"     ? estimate::StartMode::kRest

@@ -11,24 +11,33 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Rows = SampledAdjoint::Rows;
 
 // Of the filter's variance, what is left at the least: samples may err by more than the difference.
 constexpr double kLeastLeft = 0.04;
 
-// λ ← λ − Gᵀ (e + W λ), a column for every λ; `e` gives the drive of row i.
-template <typename Lambda, typename Drive>
-void back_over_update(const UpdateRecord& update, Lambda& lambda, const Drive& drive) {
-  const Index m = update.W.rows();
-  const Eigen::Map<const Rows, 0, Eigen::OuterStride<>> W(update.W.row(0), m, lambda.rows(),
-                                                          Eigen::OuterStride<>(update.W.columns()));
-  Rows product = W * lambda;
-  drive(product);
-  for (Index i = 0; i < m; ++i) {
-    const double* g = update.G.row(i);
-    for (std::size_t s = 0; s < update.support.size(); ++s) {
-      lambda.row(update.support[s]) -= g[s] * product.row(i);
+// λ −= Hᵀ y.
+void take_off(const UpdateRecord& update, const VectorXd& y, VectorXd& lambda) {
+  const int* index = update.support.data();
+  const double* h = update.H.data();
+  Index row = 0;
+  for (const UpdateRecord::Rows& group : update.groups) {
+    for (int s = 0; s < group.support; ++s, ++index) {
+      for (int r = 0; r < group.rows; ++r) {
+        lambda[*index] -= *h++ * y[row + r];
+      }
     }
+    row += group.rows;
+  }
+}
+
+// y ← U⁻¹ y.
+void solve_upper(const UpdateRecord& update, VectorXd& y) {
+  for (Index i = y.size(); i-- > 0;) {
+    const double* u = update.U.row(i);
+    for (Index k = i + 1; k < y.size(); ++k) {
+      y[i] -= u[k] * y[k];
+    }
+    y[i] *= update.inverse[static_cast<std::size_t>(i)];
   }
 }
 
@@ -64,10 +73,10 @@ void back_over_predict(const PredictRecord& predict, const body::Tree& tree, Lam
   }
 }
 
-template <typename Lambda, typename Drive>
-void over_step(const StepRecord& step, const body::Tree& tree, Lambda& lambda, const Drive& drive) {
+template <typename Lambda, typename BackOverUpdate>
+void back_over_step(const StepRecord& step, const body::Tree& tree, Lambda& lambda, const BackOverUpdate& back) {
   for (std::size_t u = step.updates.size(); u-- > 0;) {
-    back_over_update(step.updates[u], lambda, [&](Rows& product) { drive(step.updates[u], product); });
+    back(step.updates[u]);
   }
   back_over_predict(step.predict, tree, lambda);
   if (step.forgets) {
@@ -75,26 +84,66 @@ void over_step(const StepRecord& step, const body::Tree& tree, Lambda& lambda, c
   }
 }
 
-void add_innovations(const UpdateRecord& update, Rows& product) {
-  product.col(0) += Eigen::Map<const VectorXd>(update.e.data(), static_cast<Index>(update.e.size()));
-}
-
 }  // namespace
 
+// Over an update λ becomes λ − Hᵀ U⁻¹ (e + W λ).
 void adjoint_over_step(const StepRecord& step, const body::Tree& tree, VectorXd& lambda) {
-  over_step(step, tree, lambda, add_innovations);
+  back_over_step(step, tree, lambda, [&](const UpdateRecord& update) {
+    const auto m = static_cast<Index>(update.e.size());
+    VectorXd y = Eigen::Map<const VectorXd>(update.e.data(), m);
+    for (Index i = 0; i < m; ++i) {
+      y[i] += Eigen::Map<const VectorXd>(update.W.row(i), lambda.size()).dot(lambda);
+    }
+    solve_upper(update, y);
+    take_off(update, y, lambda);
+  });
+}
+
+SampledAdjoint::SampledAdjoint(int size) : size_(size) {
+  lambdas_.resize(size, kWidth);
+  std::fill_n(lambdas_.row(0), size * kWidth, 0.0);
+}
+
+VectorXd SampledAdjoint::lambda() const {
+  return Eigen::Map<const Rows>(lambdas_.row(0), size_, kWidth).col(0);
+}
+
+SampledAdjoint::Rows SampledAdjoint::changes(const AlignedRows& P_theta) const {
+  AlignedRows product;
+  product.resize(P_theta.rows(), kWidth);
+  covariance_kernel().product(P_theta.row(0), P_theta.columns(), P_theta.rows(), size_, lambdas_.row(0), product.row(0),
+                              kWidth);
+  return Eigen::Map<const Rows>(product.row(0), P_theta.rows(), kWidth);
+}
+
+void SampledAdjoint::over_update(const UpdateRecord& update) {
+  const auto m = static_cast<Index>(update.e.size());
+  product_.resize(m, kWidth);
+  covariance_kernel().product(update.W.row(0), update.W.columns(), m, size_, lambdas_.row(0), product_.row(0), kWidth);
+  Eigen::Map<Rows, Eigen::AlignedMax> y(product_.row(0), m, kWidth);
+  for (Index i = 0; i < m; ++i) {
+    y(i, 0) += update.e[static_cast<std::size_t>(i)];
+    std::uint64_t signs = random_();
+    for (Index k = 1; k <= kSamples; ++k, signs >>= 1U) {
+      y(i, k) += (signs & 1U) != 0 ? 1.0 : -1.0;
+    }
+  }
+  covariance_kernel().solve_upper(update.U.row(0), update.U.columns(), update.inverse.data(), product_.row(0), m,
+                                  kWidth);
+  const int* index = update.support.data();
+  const double* h = update.H.data();
+  Index row = 0;
+  for (const UpdateRecord::Rows& group : update.groups) {
+    covariance_kernel().take_off(lambdas_.row(0), index, group.support, h, group.rows, product_.row(row), kWidth);
+    index += group.support;
+    h += group.support * group.rows;
+    row += group.rows;
+  }
 }
 
 void SampledAdjoint::over_step(const StepRecord& step, const body::Tree& tree) {
-  estimate::over_step(step, tree, lambdas_, [&](const UpdateRecord& update, Rows& product) {
-    add_innovations(update, product);
-    for (Index i = 0; i < product.rows(); ++i) {
-      std::uint64_t signs = random_();
-      for (Index k = 1; k <= kSamples; ++k, signs >>= 1U) {
-        product(i, k) += (signs & 1U) != 0 ? 1.0 : -1.0;
-      }
-    }
-  });
+  Eigen::Map<Rows, Eigen::AlignedMax> lambda(lambdas_.row(0), size_, kWidth);
+  back_over_step(step, tree, lambda, [&](const UpdateRecord& update) { over_update(update); });
 }
 
 PoseSigma pose_sigma(const body::Tree& tree, const body::Skeleton& skeleton, const body::TreeState& state,

@@ -19,18 +19,21 @@ void adjoint_over_step(const StepRecord& step, const body::Tree& tree, Eigen::Ve
 class SampledAdjoint {
  public:
   static constexpr int kSamples = 31;
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  static constexpr int kWidth = 1 + kSamples;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, kWidth, Eigen::RowMajor>;
 
-  explicit SampledAdjoint(int size) : lambdas_(Rows::Zero(size, 1 + kSamples)) {}
+  explicit SampledAdjoint(int size);
   void over_step(const StepRecord& step, const body::Tree& tree);
-  [[nodiscard]] Eigen::VectorXd lambda() const { return lambdas_.col(0); }
-  /// P_θᵀ λ for all samples: degrees of freedom × kSamples. `P_theta`: the columns of P that belong to them.
-  [[nodiscard]] Eigen::MatrixXd changes(const Eigen::MatrixXd& P_theta) const {
-    return P_theta.transpose() * lambdas_.rightCols(kSamples);
-  }
+  [[nodiscard]] Eigen::VectorXd lambda() const;
+  /// P_θ λ for all: degrees of freedom × kWidth, those of the readings first. `P_theta`: the rows of P that belong to
+  /// the joints.
+  [[nodiscard]] Rows changes(const AlignedRows& P_theta) const;
 
  private:
-  Rows lambdas_;
+  void over_update(const UpdateRecord& update);
+
+  int size_;
+  AlignedRows lambdas_, product_;
   std::mt19937_64 random_;  // from a fixed seed: the same take gives the same result
 };
 

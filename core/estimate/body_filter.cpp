@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "geometry/so3.h"
+#include <iterator>
 
 namespace limbwave::estimate {
 namespace {
@@ -13,8 +12,8 @@ using body::TreeLink;
 using Eigen::VectorXd;
 
 // Rows that are updated with at once: more rows pass over the covariance less often, fewer need less to be
-// decorrelated.
-constexpr int kChunkRows = 36;
+// decorrelated. All readings of a body with some twenty boards.
+constexpr int kChunkRows = 150;
 
 BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, const body::Tree& tree) {
   BodyLayout layout;
@@ -26,6 +25,18 @@ BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, co
     return first;
   };
   const bool inertial = p.use_gyroscopes || p.use_accelerometers;
+  // What moves lies together.
+  const auto slides = [&](const BodyBoard& board) {
+    return p.tissue_angle > 0.0 &&
+           ((p.use_gyroscopes && board.gyroscope) || (p.use_accelerometers && board.accelerometer));
+  };
+  for (const BodyBoard& board : model.boards) {
+    layout.tissue_angle.push_back(take(slides(board), 3));
+  }
+  for (const BodyBoard& board : model.boards) {
+    layout.tissue_gain.push_back(take(slides(board), 3));
+  }
+  layout.moving = layout.size;
   for (const BodyBoard& board : model.boards) {
     const bool gyroscope = p.use_gyroscopes && board.gyroscope;
     const bool accelerometer = p.use_accelerometers && board.accelerometer;
@@ -33,9 +44,6 @@ BodyLayout make_layout(const BodyModel& model, const BodyFilterParameters& p, co
     layout.gyroscope_bias.push_back(take(gyroscope && p.gyroscope_bias > 0.0, 3));
     layout.accelerometer_bias.push_back(take(accelerometer && p.accelerometer_bias > 0.0, 3));
     layout.mount_rotation.push_back(take(inertial && (gyroscope || accelerometer) && p.mount_rotation > 0.0, 3));
-    const bool moves = inertial && (gyroscope || accelerometer) && p.tissue_angle > 0.0;
-    layout.tissue_angle.push_back(take(moves, 3));
-    layout.tissue_gain.push_back(take(moves, 3));
     layout.mount_place.push_back(take((accelerometer || microphone) && p.mount_place > 0.0, 3));
   }
   for (std::size_t s = 0; s < model.sources.size(); ++s) {
@@ -120,8 +128,16 @@ void BodyFilter::start(double time_s, const RootReading* root) {
   const BodyFilterParameters& p = parameters_;
   const int n = layout_.dofs;
   const auto square = [](double x) { return x * x; };
+  std::vector<int> freedom(model_.skeleton.segments.size(), 0);
+  for (const TreeLink& link : tree_.links()) {
+    freedom[static_cast<std::size_t>(link.segment)] += link.kind == body::LinkKind::kTranslation ? 0 : link.count;
+  }
+  for (const TreeLink& link : tree_.links()) {
+    for (int i = link.first; i < link.first + link.count; ++i) {
+      P_.set_variance(i, square(p.rest_pose) / std::max(1, freedom[static_cast<std::size_t>(link.segment)]));
+    }
+  }
   for (int i = 0; i < n; ++i) {
-    P_.set_variance(i, square(p.rest_pose));
     P_.set_variance(n + i, square(p.start_rate));
     P_.set_variance(2 * n + i, square(p.start_acceleration));
   }
@@ -131,7 +147,7 @@ void BodyFilter::start(double time_s, const RootReading* root) {
                    root != nullptr ? root->p_W : segment.p_PL);
     for (int i = 0; i < 3; ++i) {
       P_.set_variance(i, square(root != nullptr ? 0.01 : 0.001));
-      P_.set_variance(3 + i, square(root != nullptr ? 0.02 : p.rest_pose));
+      P_.set_variance(3 + i, square(root != nullptr ? 0.02 : p.rest_pose / std::sqrt(3.0)));
       P_.set_variance(n + i, square(0.2 + (root != nullptr ? 1.0 : 0.0)));
       P_.set_variance(n + 3 + i, square(p.start_rate + (root != nullptr ? 1.0 : 0.0)));
     }
@@ -155,71 +171,37 @@ void BodyFilter::start(double time_s, const RootReading* root) {
   constants({layout_.sound_scale}, 1, p.sound_scale);
 }
 
-void BodyFilter::inject(BodyState& state, const VectorXd& x) const {
-  const int n = layout_.dofs;
-  tree_.add(state.joints, x.head(n));
-  state.joints.qd += x.segment(n, n);
-  state.joints.qdd += x.segment(2 * n, n);
-  const auto add = [&](std::vector<Vector3d>& values, const std::vector<int>& first) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (first[i] >= 0) {
-        values[i] += x.segment<3>(first[i]);
-      }
-    }
-  };
-  add(state.gyroscope_bias, layout_.gyroscope_bias);
-  add(state.accelerometer_bias, layout_.accelerometer_bias);
-  add(state.mount_place, layout_.mount_place);
-  add(state.tissue_angle, layout_.tissue_angle);
-  add(state.tissue_gain, layout_.tissue_gain);
-  add(state.source_place, layout_.source_place);
-  for (std::size_t i = 0; i < state.mount_rotation.size(); ++i) {
-    if (const int first = layout_.mount_rotation[i]; first >= 0) {
-      state.mount_rotation[i] = (state.mount_rotation[i] * geometry::exp_so3(x.segment<3>(first))).normalized();
-    }
-  }
-  for (std::size_t i = 0; i < state.range_offset.size(); ++i) {
-    state.range_offset[i] += layout_.range_offset[i] >= 0 ? x[layout_.range_offset[i]] : 0.0;
-  }
-  for (std::size_t i = 0; i < state.bone_scale.size(); ++i) {
-    state.bone_scale[i] += layout_.bone_scale[i] >= 0 ? x[layout_.bone_scale[i]] : 0.0;
-  }
-  state.sound_scale += layout_.sound_scale >= 0 ? x[layout_.sound_scale] : 0.0;
-}
-
-std::vector<double> BodyFilter::place_scale() const {
-  std::vector<double> scale(tree_.links().size(), 1.0);
-  for (std::size_t l = 0; l < scale.size(); ++l) {
-    if (const int parent = tree_.links()[l].parent; parent >= 0) {
-      const auto segment = static_cast<std::size_t>(tree_.links()[static_cast<std::size_t>(parent)].segment);
-      scale[l] = 1.0 + state_.bone_scale[segment];
-    }
-  }
-  return scale;
-}
-
-void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepRecord* record) {
+void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepRecord* record, const BodyState* about) {
   if (record != nullptr) {
-    record->updates.clear();
     record->predict = {};
+    // Their memory is used again.
+    std::move(record->updates.begin(), record->updates.end(), std::back_inserter(spare_records_));
+    record->updates.clear();
   }
   const double dt = instant.time_s - state_.time_s;
   if (dt > 0.0) {
     predict(dt, record != nullptr ? &record->predict : nullptr);
   }
-  kinematics_.update(state_.joints, place_scale());
   correction_.setZero();
+  corrected_ = about != nullptr;
+  if (about != nullptr) {
+    // The prediction becomes a correction of what is linearised about.
+    correction_ = difference(*about, state_);
+    const double time_s = state_.time_s;
+    state_ = *about;
+    state_.time_s = time_s;
+  }
+  kinematics_.update(state_.joints, place_scale());
   if (root != nullptr) {
     add_root(*root);
   }
   for (std::size_t i = 0; i < instant.inertials; ++i) {
     add_inertial(instant.inertial[i]);
-    if (pending_rows_ >= kChunkRows) {
-      flush(record);
-    }
+    flush_full(record);
   }
   for (std::size_t i = 0; i < instant.range_count; ++i) {
     add_range(instant.ranges[i]);
+    flush_full(record);
   }
   if (instant.time_s >= next_prior_s_) {
     add_priors();
@@ -228,6 +210,17 @@ void BodyFilter::step(const BodyInstant& instant, const RootReading* root, StepR
   }
   flush(record);
   inject(state_, correction_);
+}
+
+UpdateRecord& BodyFilter::add_record(std::vector<UpdateRecord>& records) {
+  if (spare_records_.empty()) {
+    return records.emplace_back();
+  }
+  UpdateRecord& record = records.emplace_back(std::move(spare_records_.back()));
+  spare_records_.pop_back();
+  record.e.clear();
+  record.groups.clear();
+  return record;
 }
 
 MeasurementGroup& BodyFilter::group(int rows, int tag) {
@@ -245,14 +238,26 @@ MeasurementGroup& BodyFilter::group(int rows, int tag) {
   return g;
 }
 
+void BodyFilter::flush_full(StepRecord* record) {
+  if (pending_rows_ >= kChunkRows) {
+    flush(record);
+    corrected_ = true;
+  }
+}
+
 void BodyFilter::flush(StepRecord* record) {
   if (used_groups_ == 0) {
     return;
   }
   MeasurementGroup* first = groups_.data();
   MeasurementGroup* last = first + used_groups_;
-  // Earlier updates of this instant have moved the state; everything is linearised where the prediction was.
-  for (MeasurementGroup* g = first; g != last; ++g) {
+  for (const MeasurementGroup* g = first; g != last; ++g) {
+    for (int r = 0; r < g->rows; ++r) {
+      cost_ += g->innovation[r] * g->innovation[r] / g->variance[r];
+    }
+  }
+  // Earlier updates of this instant have moved the state; everything is linearised where it was before.
+  for (MeasurementGroup* g = first; corrected_ && g != last; ++g) {
     for (std::size_t s = 0; s < g->support.size(); ++s) {
       for (int r = 0; r < g->rows; ++r) {
         g->innovation[r] -=
@@ -265,11 +270,11 @@ void BodyFilter::flush(StepRecord* record) {
   }
   UpdateRecord* update = nullptr;
   if (record != nullptr) {
-    update = &record->updates.emplace_back();
+    update = &add_record(record->updates);
   }
   log_likelihood_ += P_.update(first, last, correction_, update);
   if (update != nullptr && update->e.empty()) {
-    record->updates.pop_back();
+    record->updates.pop_back();  // nothing was accepted
   }
   for (const MeasurementGroup* g = first; g != last; ++g) {
     count(*g);
@@ -280,29 +285,12 @@ void BodyFilter::flush(StepRecord* record) {
 
 void BodyFilter::update(std::vector<MeasurementGroup>& groups, std::vector<UpdateRecord>* records) {
   correction_.setZero();
-  UpdateRecord* record = records != nullptr ? &records->emplace_back() : nullptr;
+  UpdateRecord* record = records != nullptr ? &add_record(*records) : nullptr;
   P_.update(groups.data(), groups.data() + groups.size(), correction_, record);
+  if (record != nullptr && record->e.empty()) {
+    records->pop_back();  // nothing was accepted
+  }
   inject(state_, correction_);
-}
-
-BodyFilter::Snapshot BodyFilter::snapshot() const {
-  Snapshot snapshot{state_, {}, next_prior_s_};
-  snapshot.P.reserve(static_cast<std::size_t>(layout_.size) * static_cast<std::size_t>(layout_.size + 1) / 2);
-  for (int i = 0; i < layout_.size; ++i) {
-    snapshot.P.insert(snapshot.P.end(), P_.row(i), P_.row(i) + i + 1);
-  }
-  return snapshot;
-}
-
-void BodyFilter::resume(const Snapshot& snapshot) {
-  state_ = snapshot.state;
-  next_prior_s_ = snapshot.next_prior_s;
-  const double* from = snapshot.P.data();
-  for (int i = 0; i < layout_.size; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      P_.row(i)[j] = P_.row(j)[i] = *from++;
-    }
-  }
 }
 
 }  // namespace limbwave::estimate

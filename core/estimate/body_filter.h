@@ -1,7 +1,7 @@
 /// The body filter: an error-state extended Kalman filter in joint space for gyroscopes, accelerometers and ranges
 /// (Vlasic et al. 2007, §5), with ball joints on SO(3), sensor errors and mountings among the states.
 ///
-/// Error state: [δθ | δθ̇ | δθ̈ | constants]. θ are the joint degrees of freedom of body::Tree; the constants are
+/// Error state: [δθ | δθ̇ | δθ̈ | skin | constants]. θ are the joint degrees of freedom of body::Tree; the constants are
 /// gyroscope and accelerometer biases, mounting rotations and places of the boards, range offsets of the sources, the
 /// scale of the speed of sound and bone lengths, as far as the parameters give them a standard deviation.
 /// Process: θ̈ is a random walk as in the paper's eq. (1), optionally drawn back to zero.
@@ -60,7 +60,7 @@ struct BodyFilterParameters {
   double bone_scale = 0.02;
 
   // Start: around the rest pose.
-  double rest_pose = 0.04;  ///< Of each joint degree of freedom.
+  double rest_pose = 0.07;  ///< Of each joint's rotation, all its degrees of freedom together.
   double start_rate = 0.3;  ///< rad/s.
   double start_acceleration = 5.0;
 
@@ -85,6 +85,7 @@ struct ReadingCount {
 /// Where the constants are in the error state; -1: not estimated.
 struct BodyLayout {
   int dofs = 0, size = 0;
+  int moving = 0;  ///< So many states in front move on of themselves: joints and skin. The others are constants.
   std::vector<int> gyroscope_bias, accelerometer_bias, mount_rotation, mount_place;  ///< First of three, per board.
   std::vector<int> tissue_angle, tissue_gain;                                        ///< The same.
   std::vector<int> source_place;                                                     ///< First of three, per source.
@@ -160,8 +161,12 @@ class BodyFilter {
 
   /// Starts at rest at `time_s`, with a given root where there is one.
   void start(double time_s, const RootReading* root);
-  /// Predicts to the instant and takes its readings in; `root` where it is given.
-  void step(const BodyInstant& instant, const RootReading* root, StepRecord* record = nullptr);
+  /// Predicts to the instant and takes its readings in; `root` where it is given. What is measured is linearised about
+  /// the prediction, or about a state that is known better (of an iterated smoother, say).
+  void step(const BodyInstant& instant, const RootReading* root, StepRecord* record = nullptr,
+            const BodyState* about = nullptr);
+  /// Σ ν²/σ² of all readings at the states that steps were linearised about.
+  [[nodiscard]] double cost() const { return cost_; }
   /// One update by groups made elsewhere; innovations relative to the state as it is.
   void update(std::vector<MeasurementGroup>& groups, std::vector<UpdateRecord>* records = nullptr);
   void set_state(const BodyState& state) { state_ = state; }
@@ -169,10 +174,15 @@ class BodyFilter {
 
   /// Applies an error state to a state: what `update` does at its end, and the smoother.
   void inject(BodyState& state, const Eigen::VectorXd& x) const;
+  /// The error state that turns one state into the other: `inject` backward.
+  [[nodiscard]] Eigen::VectorXd difference(const BodyState& from, const BodyState& to) const;
 
  private:
   void predict(double dt, PredictRecord* record);
-  void predict_tissue(double dt, PredictRecord* record);
+  void predict_tissue(double dt);
+  void predict_covariance(const PredictRecord& step);
+  void move_rows(const PredictRecord& step, long columns);
+  void add_process_noise(const PredictRecord& step);
   [[nodiscard]] double tissue_gain_sigma() const;
   void add_inertial(const InertialReading& reading);
   void add_range(const RangeReading& reading);
@@ -181,6 +191,8 @@ class BodyFilter {
   void add_limits();
   MeasurementGroup& group(int rows, int tag);
   void flush(StepRecord* record);
+  void flush_full(StepRecord* record);
+  UpdateRecord& add_record(std::vector<UpdateRecord>& records);
   void count(const MeasurementGroup& group);
   [[nodiscard]] std::vector<double> place_scale() const;
 
@@ -197,11 +209,14 @@ class BodyFilter {
   std::size_t used_groups_ = 0;
   int pending_rows_ = 0;
   Eigen::VectorXd correction_;
+  bool corrected_ = false;  // there has been an update at this instant
+  std::vector<UpdateRecord> spare_records_;
   body::PointJacobians jacobians_, source_jacobians_;
   std::vector<ReadingCount> gyroscope_counts_, accelerometer_counts_, range_counts_;
   double gates_[4] = {0, 0, 0, 0};  // by number of rows
   double next_prior_s_ = 0.0;
   double log_likelihood_ = 0.0;
+  double cost_ = 0.0;
 };
 
 /// χ² with `freedom` degrees of freedom (1 to 3) that is exceeded with the given probability.

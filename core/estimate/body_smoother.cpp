@@ -3,144 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/units.h"
+#include "estimate/body_batch.h"
+#include "estimate/body_runner.h"
 #include "geometry/so3.h"
 
 namespace limbwave::estimate {
-namespace {
-
-using Eigen::VectorXd;
-
-void append_pose(const BodyFilter& filter, const BodyState& state, BodyTrack& track) {
-  track.times.push_back(state.time_s);
-  const double delay = filter.parameters().reading_delay_s;
-  if (delay > 0.0) {
-    // What has been read is that long ago; the pose is wanted for now.
-    body::TreeState now = state.joints;
-    filter.tree().add(now, delay * now.qd + 0.5 * delay * delay * now.qdd);
-    track.R_joint.push_back(filter.tree().segment_rotations(now));
-    track.root_p_W.push_back(filter.tree().root_position(now));
-    return;
-  }
-  track.R_joint.push_back(filter.tree().segment_rotations(state.joints));
-  track.root_p_W.push_back(filter.tree().root_position(state.joints));
-}
-
-void append_sigma(PoseSigma sigma, BodyTrack& track) {
-  track.sigma.push_back(std::move(sigma.joints));
-  track.point_sigma.push_back(std::move(sigma.points));
-  track.root_sigma.push_back(sigma.root);
-}
-
-// Columns of P that belong to the joints, so many rows of them.
-void copy_columns(const BodyFilter& filter, int rows, Eigen::MatrixXd& P_theta) {
-  const int dofs = filter.layout().dofs;
-  P_theta.resize(rows, dofs);
-  for (int d = 0; d < dofs; ++d) {
-    std::copy_n(filter.covariance().row(d), rows, P_theta.col(d).data());
-  }
-}
-
-void reserve(BodyTrack& track, std::size_t count) {
-  track.times.reserve(count);
-  track.R_joint.reserve(count);
-  track.root_p_W.reserve(count);
-  track.sigma.reserve(count);
-  track.point_sigma.reserve(count);
-  track.root_sigma.reserve(count);
-}
-
-// Which instants get a pose.
-std::vector<char> chosen(const std::vector<BodyInstant>& instants, double rate_hz) {
-  const bool inertial = std::any_of(instants.begin(), instants.end(), [](const auto& i) { return i.inertials > 0; });
-  std::vector<char> wanted(instants.size(), 0);
-  double next = -1e300;
-  for (std::size_t i = 0; i < instants.size(); ++i) {
-    if ((instants[i].inertials > 0 || !inertial) && instants[i].time_s >= next - 1e-4 / rate_hz) {
-      wanted[i] = 1;
-      next = std::max(next + 1.0 / rate_hz, instants[i].time_s + 0.5 / rate_hz);
-    }
-  }
-  return wanted;
-}
-
-// The filter over one recording: what both directions share.
-class Run {
- public:
-  Run(const BodyModel& model, const BodyFilterParameters& parameters, const BodyReadings& readings, double rate_hz,
-      BodyStepHook* hook)
-      : readings_(readings), hook_(hook), filter(model, parameters) {
-    for (const BodyInstant& instant : instants_of(readings)) {
-      const bool inertial = instant.inertials > 0 && (parameters.use_gyroscopes || parameters.use_accelerometers);
-      if (inertial || (instant.range_count > 0 && parameters.use_ranges)) {
-        instants.push_back(instant);
-      }
-    }
-    wanted = chosen(instants, rate_hz);
-    any_inertial_ = std::any_of(instants.begin(), instants.end(), [](const auto& i) { return i.inertials > 0; });
-  }
-
-  void step(std::size_t i, StepRecord* record = nullptr) {
-    const bool with_root = filter.parameters().root == RootMode::kGiven && !readings_.root.empty() &&
-                           (instants[i].inertials > 0 || !any_inertial_);
-    const BodyInstant used = hook_ != nullptr ? hook_->before(filter, instants[i], i, record) : instants[i];
-    if (with_root) {
-      const RootReading root = root_at(readings_.root, instants[i].time_s);
-      filter.step(used, &root, record);
-    } else {
-      filter.step(used, nullptr, record);
-    }
-    if (hook_ != nullptr) {
-      hook_->after(filter, used, i, record);
-    }
-  }
-
-  Result<Diagnostics> start() {
-    return hook_ != nullptr ? hook_->start(filter, readings_) : start_from_rest(filter, readings_);
-  }
-
-  Status check() const {
-    if (instants.empty()) {
-      return Error{"there is no reading of the sensors that shall be used", "", "choose other sensors"};
-    }
-    if (filter.parameters().root == RootMode::kGiven && readings_.root.empty()) {
-      return Error{"the root is said to be given, but there is no path of it", "", "give one, or let the root be free"};
-    }
-    return {};
-  }
-
-  void finish(BodyRun& run) const {
-    if (hook_ != nullptr) {
-      hook_->finished(filter);
-    }
-    run.last = filter.state();
-    run.log_likelihood = filter.log_likelihood();
-    run.gyroscopes = filter.gyroscope_counts();
-    run.accelerometers = filter.accelerometer_counts();
-    run.ranges = filter.range_counts();
-  }
-
- private:
-  const BodyReadings& readings_;
-  BodyStepHook* hook_;
-  bool any_inertial_ = false;
-
- public:
-  BodyFilter filter;
-  std::vector<BodyInstant> instants;
-  std::vector<char> wanted;
-};
-
-Error stopped() {
-  return cancelled();
-}
-
-}  // namespace
 
 Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& parameters,
                             const BodyReadings& readings, double rate_hz, const Progress& progress,
                             BodyStepHook* hook) {
-  Run run(model, parameters, readings, rate_hz, hook);
+  BodyRunner run(model, parameters, readings, rate_hz, hook);
   if (Status status = run.check(); !status) {
     return status.error();
   }
@@ -151,16 +23,18 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
   }
   result.diagnostics = *std::move(started);
   reserve(result.track, run.instants.size());
-  Eigen::MatrixXd P_theta;
+  const int dofs = run.filter.layout().dofs;
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
     run.step(i);
     if (run.wanted[i] != 0) {
       append_pose(run.filter, run.filter.state(), result.track);
-      copy_columns(run.filter, run.filter.layout().dofs, P_theta);
-      append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints, P_theta, {}), result.track);
+      const ErrorCovariance& P = run.filter.covariance();
+      append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints,
+                              joint_covariance(P.row(0), P.stride(), dofs), {}),
+                   result.track);
     }
     if (i % 64 == 0 && !progress.report(static_cast<double>(i) / static_cast<double>(run.instants.size()))) {
-      return stopped();
+      return cancelled();
     }
   }
   run.finish(result);
@@ -170,85 +44,7 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
 Result<BodyRun> smooth_body(const BodyModel& model, const BodyFilterParameters& parameters,
                             const BodyReadings& readings, double rate_hz, const Progress& progress, double stretch_s,
                             BodyStepHook* hook) {
-  Run run(model, parameters, readings, rate_hz, hook);
-  if (Status status = run.check(); !status) {
-    return status.error();
-  }
-  BodyRun result;
-  Result<Diagnostics> started = run.start();
-  if (!started) {
-    return started.error();
-  }
-  result.diagnostics = *std::move(started);
-  struct Checkpoint {
-    std::size_t first;
-    BodyFilter::Snapshot snapshot;
-  };
-  std::vector<Checkpoint> checkpoints;
-  const std::size_t count = run.instants.size();
-  double next = -1e300;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (run.instants[i].time_s >= next) {
-      checkpoints.push_back({i, run.filter.snapshot()});
-      next = run.instants[i].time_s + stretch_s;
-    }
-    run.step(i);
-    if (i % 64 == 0 && !progress.report(0.5 * static_cast<double>(i) / static_cast<double>(count))) {
-      return stopped();
-    }
-  }
-  run.finish(result);
-
-  const int size = run.filter.layout().size;
-  SampledAdjoint adjoint(size);
-  struct Kept {
-    StepRecord record;
-    BodyState state;
-    Eigen::MatrixXd P_theta;  // columns: joint degrees of freedom
-  };
-  std::vector<Kept> kept;
-  BodyTrack reversed;
-  std::size_t end = count;
-  while (!checkpoints.empty()) {
-    const Checkpoint& checkpoint = checkpoints.back();
-    run.filter.resume(checkpoint.snapshot);
-    if (kept.size() < end - checkpoint.first) {
-      kept.resize(end - checkpoint.first);
-    }
-    for (std::size_t i = checkpoint.first; i < end; ++i) {
-      Kept& k = kept[i - checkpoint.first];
-      run.step(i, &k.record);
-      if (run.wanted[i] != 0) {
-        k.state = run.filter.state();
-        copy_columns(run.filter, size, k.P_theta);
-      }
-    }
-    for (std::size_t i = end; i-- > checkpoint.first;) {
-      Kept& k = kept[i - checkpoint.first];
-      if (run.wanted[i] != 0) {
-        run.filter.tree().add(k.state.joints, -(k.P_theta.transpose() * adjoint.lambda()));
-        append_pose(run.filter, k.state, reversed);
-        append_sigma(
-            pose_sigma(run.filter.tree(), model.skeleton, k.state.joints, k.P_theta, adjoint.changes(k.P_theta)),
-            reversed);
-      }
-      adjoint.over_step(k.record, run.filter.tree());
-    }
-    end = checkpoint.first;
-    checkpoints.pop_back();
-    if (!progress.report(1.0 - 0.5 * static_cast<double>(end) / static_cast<double>(count))) {
-      return stopped();
-    }
-  }
-  const auto reverse = [](auto& values) { std::reverse(values.begin(), values.end()); };
-  reverse(reversed.times);
-  reverse(reversed.R_joint);
-  reverse(reversed.root_p_W);
-  reverse(reversed.sigma);
-  reverse(reversed.point_sigma);
-  reverse(reversed.root_sigma);
-  result.track = std::move(reversed);
-  return result;
+  return smooth_about(model, parameters, readings, rate_hz, progress, stretch_s, hook, nullptr, nullptr);
 }
 
 Diagnostics start_from_rest(BodyFilter& filter, const BodyReadings& readings) {

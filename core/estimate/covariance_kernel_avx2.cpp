@@ -9,8 +9,7 @@ namespace {
 
 const CovarianceKernel& avx2_covariance_kernel();
 const CovarianceKernel& avx2_covariance_kernel() {
-  static constexpr CovarianceKernel kernel{downdate, multiply1, multiply3, subtract, mix_rows};
-  return kernel;
+  return kKernel;
 }
 
 }  // namespace limbwave::estimate

@@ -7,8 +7,7 @@ namespace {
 }  // namespace
 
 const CovarianceKernel& portable_covariance_kernel() {
-  static constexpr CovarianceKernel kernel{downdate, multiply1, multiply3, subtract, mix_rows};
-  return kernel;
+  return kKernel;
 }
 
 #ifdef LIMBWAVE_AVX2_KERNEL

@@ -39,10 +39,9 @@ AlignedRows& AlignedRows::operator=(AlignedRows&& other) noexcept {
   return *this;
 }
 
-ErrorCovariance::ErrorCovariance(int size) : size_(size), kernel_(&covariance_kernel()) {
-  const long padded = (size + 31) / 32 * 32;
-  P_.resize(padded, padded);
-  std::fill_n(P_.row(0), padded * padded, 0.0);
+ErrorCovariance::ErrorCovariance(int size) : size_(size), width_((size + 31) / 32 * 32), kernel_(&covariance_kernel()) {
+  P_.resize(width_, AlignedRows::spread(width_));
+  std::fill_n(P_.row(0), P_.rows() * P_.columns(), 0.0);
 }
 
 void ErrorCovariance::set_variance(int i, double variance) {
@@ -71,132 +70,128 @@ void ErrorCovariance::set_dense(const Eigen::MatrixXd& P) {
   }
 }
 
-double ErrorCovariance::update(MeasurementGroup* first, MeasurementGroup* last, Eigen::VectorXd& correction,
-                               UpdateRecord* record) {
-  const long n = P_.columns();
-  long rows = 0;
-  for (const MeasurementGroup* g = first; g != last; ++g) {
-    rows += g->rows;
-  }
-  Y_.resize(rows, n);
-  S_.resize(rows, rows);
-  // Y = H P and each group's own S; rejected groups leave no rows behind.
+// Y = H P of the groups that are accepted, each judged by its own innovation; rejected ones leave no rows behind.
+// Returns how many rows there are.
+long ErrorCovariance::accept(MeasurementGroup* first, MeasurementGroup* last) {
+  const long stride = P_.columns();
   long m = 0;
   for (MeasurementGroup* g = first; g != last; ++g) {
     const auto count = static_cast<long>(g->support.size());
     assert(g->rows == 1 || g->rows == 3);
-    (g->rows == 1 ? kernel_->multiply1 : kernel_->multiply3)(P_.row(0), n, g->support.data(), count, g->H.data(),
-                                                             Y_.row(m));
+    (g->rows == 1 ? kernel_->multiply1 : kernel_->multiply3)(P_.row(0), stride, width_, g->support.data(), count,
+                                                             g->H.data(), Y_.row(m), stride);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> own(g->rows, g->rows);
-    const auto innovation_product = [&](const MeasurementGroup& of, int r, const double* y) {
-      double sum = 0.0;
-      for (std::size_t s = 0; s < of.support.size(); ++s) {
-        sum += of.H[s * static_cast<std::size_t>(of.rows) + static_cast<std::size_t>(r)] * y[of.support[s]];
-      }
-      return sum;
-    };
     for (int r = 0; r < g->rows; ++r) {
       for (int c = 0; c <= r; ++c) {
-        own(r, c) = own(c, r) = innovation_product(*g, r, Y_.row(m + c));
+        const double* y = Y_.row(m + c);
+        double sum = 0.0;
+        for (std::size_t s = 0; s < g->support.size(); ++s) {
+          sum += g->H[s * static_cast<std::size_t>(g->rows) + static_cast<std::size_t>(r)] * y[g->support[s]];
+        }
+        own(r, c) = own(c, r) = sum;
       }
       own(r, r) += g->variance[r];
     }
     const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>> nu(g->innovation, g->rows);
-    const auto solved = own.llt().solve(nu).eval();
-    g->nis = nu.dot(solved);
+    g->nis = nu.dot(own.llt().solve(nu));
+    g->inflation = 1.0;
     g->accepted = std::isfinite(g->nis) && g->nis >= 0.0 && (g->gate <= 0.0 || g->nis <= g->gate);
     if (!g->accepted && g->softened && std::isfinite(g->nis) && g->nis > 0.0) {
-      own *= std::sqrt(g->nis / g->gate);
+      g->inflation = std::sqrt(g->nis / g->gate);
       g->accepted = true;
     }
+    m += g->accepted ? g->rows : 0;
+  }
+  return m;
+}
+
+// The upper triangle of S = H P Hᵀ + R, by rows of Yᵀ.
+void ErrorCovariance::innovation_covariance(const MeasurementGroup* first, const MeasurementGroup* last, long m) {
+  constexpr long kWidth = 32;
+  const long stride = S_.columns();
+  const long width = (m + kWidth - 1) / kWidth * kWidth;
+  kernel_->transpose(Y_.row(0), (m + 3) / 4 * 4, width_, P_.columns(), Y_transposed_.row(0), stride);
+  long at = 0;
+  for (const MeasurementGroup* g = first; g != last; ++g) {
     if (!g->accepted) {
       continue;
     }
-    S_.block(m, m, g->rows, g->rows) = own;
-    long before = 0;
-    for (const MeasurementGroup* other = first; other != g; ++other) {
-      if (!other->accepted) {
-        continue;
+    const long from = at / kWidth * kWidth;
+    (g->rows == 1 ? kernel_->multiply1 : kernel_->multiply3)(Y_transposed_.row(0) + from, stride, width - from,
+                                                             g->support.data(), static_cast<long>(g->support.size()),
+                                                             g->H.data(), S_.row(at) + from, stride);
+    for (int r = 0; r < g->rows; ++r) {
+      double* block = S_.row(at + r) + at;
+      block[r] += g->variance[r];
+      for (int c = r; c < g->rows; ++c) {
+        block[c] *= g->inflation;
       }
-      for (int r = 0; r < g->rows; ++r) {
-        for (int c = 0; c < other->rows; ++c) {
-          S_(m + r, before + c) = innovation_product(*g, r, Y_.row(before + c));
-        }
-      }
-      before += other->rows;
     }
-    m += g->rows;
+    at += g->rows;
   }
+}
+
+void ErrorCovariance::keep(const MeasurementGroup* first, const MeasurementGroup* last, UpdateRecord& record) {
+  record.groups.clear();
+  record.support.clear();
+  record.H.clear();
+  for (const MeasurementGroup* g = first; g != last; ++g) {
+    if (g->accepted) {
+      record.groups.push_back({g->rows, static_cast<int>(g->support.size())});
+      record.support.insert(record.support.end(), g->support.begin(), g->support.end());
+      record.H.insert(record.H.end(), g->H.begin(), g->H.end());
+    }
+  }
+  // What was of use is given away, and what the record had before is used next.
+  std::swap(record.U, S_);
+  std::swap(record.W, Y_);
+  record.inverse = inverse_;
+  record.e = e_;
+}
+
+double ErrorCovariance::update(MeasurementGroup* first, MeasurementGroup* last, Eigen::VectorXd& correction,
+                               UpdateRecord* record) {
+  const long stride = P_.columns();
+  long rows = 0;
+  for (const MeasurementGroup* g = first; g != last; ++g) {
+    rows += g->rows;
+  }
+  Y_.resize((rows + 3) / 4 * 4, stride);
+  const long m = accept(first, last);
   if (m == 0) {
     return 0.0;
   }
-  // S = L Lᵀ in place, W = L⁻¹ Y in place, e = L⁻¹ ν.
-  std::vector<double> e;
-  e.reserve(static_cast<std::size_t>(m));
+  constexpr long kWidth = 32;
+  const long padded = AlignedRows::spread((m + kWidth - 1) / kWidth * kWidth);
+  S_.resize(m, padded);
+  Y_transposed_.resize(width_, padded);
+  packed_.resize(m, width_);
+  innovation_covariance(first, last, m);
+  inverse_.resize(static_cast<std::size_t>(m));
+  kernel_->factor(S_.row(0), m, padded, inverse_.data());
+  Y_.resize(m, stride);
+  kernel_->solve(S_.row(0), padded, inverse_.data(), Y_.row(0), stride, m, width_, packed_.row(0));
+  e_.clear();
   for (const MeasurementGroup* g = first; g != last; ++g) {
-    e.insert(e.end(), g->innovation, g->innovation + (g->accepted ? g->rows : 0));
+    e_.insert(e_.end(), g->innovation, g->innovation + (g->accepted ? g->rows : 0));
   }
   double log_likelihood = 0.0;
+  x_.resize(1, width_);
+  std::fill_n(x_.row(0), width_, 0.0);
   for (long i = 0; i < m; ++i) {
-    for (long k = 0; k < i; ++k) {
-      double value = S_(i, k);
-      for (long l = 0; l < k; ++l) {
-        value -= S_(i, l) * S_(k, l);
-      }
-      S_(i, k) = value / S_(k, k);
-      kernel_->subtract(Y_.row(i), Y_.row(k), S_(i, k), n);
-      e[static_cast<std::size_t>(i)] -= S_(i, k) * e[static_cast<std::size_t>(k)];
-      S_(i, i) -= S_(i, k) * S_(i, k);
+    double& e = e_[static_cast<std::size_t>(i)];
+    e *= inverse_[static_cast<std::size_t>(i)];
+    const double* u = S_.row(i);
+    for (long k = i + 1; k < m; ++k) {
+      e_[static_cast<std::size_t>(k)] -= u[k] * e;
     }
-    S_(i, i) = std::sqrt(std::max(S_(i, i), 1e-30));
-    const double scale = 1.0 / S_(i, i);
-    double* y = Y_.row(i);
-    for (long j = 0; j < n; ++j) {
-      y[j] *= scale;
-    }
-    double& whitened = e[static_cast<std::size_t>(i)];
-    whitened *= scale;
-    log_likelihood -= 0.5 * whitened * whitened + std::log(S_(i, i)) + 0.918938533204672742;
+    kernel_->subtract(x_.row(0), Y_.row(i), -e, width_);
+    log_likelihood -= 0.5 * e * e + std::log(u[i]) + 0.918938533204672742;
   }
-  for (long i = 0; i < m; ++i) {
-    const double* w = Y_.row(i);
-    for (int j = 0; j < size_; ++j) {
-      correction[j] += w[j] * e[static_cast<std::size_t>(i)];
-    }
-  }
-  kernel_->downdate(P_.row(0), n, Y_.row(0), m);
+  correction += Eigen::Map<const Eigen::VectorXd>(x_.row(0), size_);
+  kernel_->downdate(P_.row(0), stride, width_, packed_.row(0), m);
   if (record != nullptr) {
-    // The union of the supports, and G = L⁻¹ H on it.
-    record->support.clear();
-    for (const MeasurementGroup* g = first; g != last; ++g) {
-      if (g->accepted) {
-        record->support.insert(record->support.end(), g->support.begin(), g->support.end());
-      }
-    }
-    std::sort(record->support.begin(), record->support.end());
-    record->support.erase(std::unique(record->support.begin(), record->support.end()), record->support.end());
-    const auto columns = static_cast<long>(record->support.size() + 7) / 8 * 8;
-    record->G.resize(m, columns);
-    std::fill_n(record->G.row(0), m * columns, 0.0);
-    long i = 0;
-    for (const MeasurementGroup* g = first; g != last; ++g) {
-      for (int r = 0; g->accepted && r < g->rows; ++r, ++i) {
-        for (std::size_t s = 0; s < g->support.size(); ++s) {
-          const auto at = std::lower_bound(record->support.begin(), record->support.end(), g->support[s]);
-          record->G.row(i)[at - record->support.begin()] +=
-              g->H[s * static_cast<std::size_t>(g->rows) + static_cast<std::size_t>(r)];
-        }
-        for (long k = 0; k < i; ++k) {
-          kernel_->subtract(record->G.row(i), record->G.row(k), S_(i, k), columns);
-        }
-        for (long c = 0; c < columns; ++c) {
-          record->G.row(i)[c] /= S_(i, i);
-        }
-      }
-    }
-    record->W.resize(m, n);
-    std::copy_n(Y_.row(0), m * n, record->W.row(0));
-    record->e = std::move(e);
+    keep(first, last, *record);
   }
   return log_likelihood;
 }

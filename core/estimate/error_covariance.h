@@ -1,7 +1,9 @@
 /// Covariance of an error state and its exact Kalman update for sparse measurement rows, taken in chunks.
 ///
-/// P stays symmetric by construction: P⁺ = P − WᵀW with W = L⁻¹ H P and S = H P Hᵀ + R = L Lᵀ, so that there is no
+/// P stays symmetric by construction: P⁺ = P − WᵀW with W = U⁻ᵀ H P and S = H P Hᵀ + R = UᵀU, so that there is no
 /// gain whose rounding could make it asymmetric; the sum that is subtracted never exceeds P by more than rounding.
+///
+/// P does not fit the caches next to a core, so it is passed over as rarely as can be: once for H P, once for P⁺.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +16,10 @@ namespace limbwave::estimate {
 /// Doubles aligned for the kernels.
 class AlignedRows {
  public:
-  void resize(long rows, long columns);  ///< Keeps its memory when it shrinks. Content is undefined.
+  /// Keeps its memory when it shrinks. Content is undefined.
+  void resize(long rows, long columns);
+  /// So many columns at least that rows do not get into each other's way in the caches: an odd number of lines.
+  [[nodiscard]] static long spread(long columns) { return ((columns + 7) / 8 | 1) * 8; }
   [[nodiscard]] double* row(long i) { return data_ + i * columns_; }
   [[nodiscard]] const double* row(long i) const { return data_ + i * columns_; }
   [[nodiscard]] long rows() const { return rows_; }
@@ -47,14 +52,21 @@ struct MeasurementGroup {
   int tag = 0;  ///< The caller's.
   // Results:
   double nis = 0.0;
+  double inflation = 1.0;  ///< Of the innovation's covariance, where the group counts less.
   bool accepted = false;
 };
 
-/// What an update did, for the smoother: G = L⁻¹ H on `support`, W = L⁻¹ H P, e = L⁻¹ ν.
+/// What an update did, for the smoother: with S = H P Hᵀ + R = UᵀU, W = U⁻ᵀ H P and e = U⁻ᵀ ν.
 struct UpdateRecord {
+  struct Rows {
+    int rows, support;  ///< How many there are.
+  };
+  std::vector<Rows> groups;  ///< Accepted ones, with H as in MeasurementGroup, one behind the other.
   std::vector<int> support;
-  AlignedRows G;  ///< m × support, padded.
-  AlignedRows W;  ///< m × n.
+  std::vector<double> H;
+  AlignedRows U;                ///< m × m, padded; its upper triangle.
+  std::vector<double> inverse;  ///< 1 / U(i, i).
+  AlignedRows W;                ///< m × n.
   std::vector<double> e;
 };
 
@@ -64,6 +76,7 @@ class ErrorCovariance {
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] long stride() const { return P_.columns(); }
+  [[nodiscard]] long width() const { return width_; }  ///< Of a row: size() and what fills it up to a multiple of 32.
   [[nodiscard]] double* row(int i) { return P_.row(i); }
   [[nodiscard]] const double* row(int i) const { return P_.row(i); }
   [[nodiscard]] double operator()(int i, int j) const { return P_.row(i)[j]; }
@@ -82,9 +95,14 @@ class ErrorCovariance {
                 UpdateRecord* record = nullptr);
 
  private:
+  long accept(MeasurementGroup* first, MeasurementGroup* last);
+  void innovation_covariance(const MeasurementGroup* first, const MeasurementGroup* last, long m);
+  void keep(const MeasurementGroup* first, const MeasurementGroup* last, UpdateRecord& record);
+
   int size_;
-  AlignedRows P_, Y_;
-  Eigen::MatrixXd S_;
+  long width_;  // of P, a multiple of what the kernels take at once
+  AlignedRows P_, Y_, Y_transposed_, S_, packed_, x_;
+  std::vector<double> inverse_, e_;
   const CovarianceKernel* kernel_;
 };
 

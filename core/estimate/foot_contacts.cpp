@@ -13,69 +13,14 @@ namespace {
 
 using body::TreeKinematics;
 
-constexpr double kFootReach = 0.06;  // m: leaves that high above the lowest point are feet
-constexpr double kMostStep = 0.04;   // m: another height is another ground (a stair, a slope), not an error
-constexpr double kGivesWay = 1.0;    // m/s: what a contradicted root's velocity may be off
+constexpr double kMostStep = 0.04;  // m: another height is another ground (a stair, a slope), not an error
+constexpr double kGivesWay = 1.0;   // m/s: what a contradicted root's velocity may be off
 
 double square(double x) {
   return x * x;
 }
 
 }  // namespace
-
-std::vector<Sole> find_soles(const BodyModel& model) {
-  const body::Skeleton& skeleton = model.skeleton;
-  const std::vector<Quaterniond> rest(skeleton.segments.size(), Quaterniond::Identity());
-  const auto poses = body::poses_from_joints(skeleton, rest, skeleton.segments.front().p_PL);
-  std::vector<Sole> soles;
-  double lowest = INFINITY;
-  for (std::size_t s = 1; s < skeleton.segments.size(); ++s) {
-    const body::Segment& segment = skeleton.segments[s];
-    const bool leaf = std::none_of(skeleton.segments.begin(), skeleton.segments.end(),
-                                   [&](const body::Segment& other) { return other.parent == static_cast<int>(s); });
-    const Vector3d up_L = poses[s].R_WL.conjugate() * Vector3d::UnitZ();
-    std::vector<Vector3d> points;
-    for (const body::Capsule& capsule : segment.capsules) {
-      points.push_back(capsule.from_L - capsule.radius * up_L);
-      points.push_back(capsule.to_L - capsule.radius * up_L);
-    }
-    if (points.empty()) {
-      points = {Vector3d::Zero(), Vector3d(segment.length, 0.0, 0.0)};
-    }
-    const auto height = [&](const Vector3d& p) { return (poses[s].p_WL + poses[s].R_WL * p).z(); };
-    double low = INFINITY;
-    for (const Vector3d& p : points) {
-      low = std::min(low, height(p));
-    }
-    lowest = std::min(lowest, low);
-    if (!leaf) {
-      continue;
-    }
-    // The middle of what is about as low: a flat sole's middle.
-    Sole sole;
-    sole.segment = static_cast<int>(s);
-    sole.name = segment.name;
-    int count = 0;
-    for (const Vector3d& p : points) {
-      if (height(p) < low + 0.01) {
-        sole.p_L += p;
-        ++count;
-      }
-    }
-    sole.p_L /= count;
-    for (std::size_t b = 0; b < model.boards.size(); ++b) {
-      if (model.boards[b].segment == sole.segment && (model.boards[b].gyroscope || model.boards[b].accelerometer)) {
-        sole.board = static_cast<int>(b);
-      }
-    }
-    soles.push_back(sole);
-  }
-  std::erase_if(soles, [&](const Sole& sole) {
-    const auto s = static_cast<std::size_t>(sole.segment);
-    return (poses[s].p_WL + poses[s].R_WL * sole.p_L).z() > lowest + kFootReach;
-  });
-  return soles;
-}
 
 FootContacts::FootContacts(const BodyModel& model, const ContactParameters& parameters)
     : parameters_(parameters),
@@ -221,28 +166,30 @@ FootContacts::Decision FootContacts::decide(const BodyFilter& filter, std::size_
   return decision;
 }
 
-MeasurementGroup FootContacts::velocity_group(const BodyFilter& filter, const Sole& sole) const {
+FootContacts::SoleMotion FootContacts::motion_of(const BodyFilter& filter, const Sole& sole) const {
   const body::Tree& tree = filter.tree();
   TreeKinematics kinematics(tree);
   kinematics.update(filter.state().joints, bone_scales(tree, filter.state()));
   const int link = tree.link_of(sole.segment);
-  const auto point = kinematics.point(link, sole.p_L);
-  body::PointJacobians jacobians;
-  kinematics.jacobians(link, point, TreeKinematics::kVelocity, jacobians);
+  SoleMotion motion{kinematics.point(link, sole.p_L), {}, tree.chain_dofs(link)};
+  kinematics.jacobians(link, motion.point, TreeKinematics::kVelocity, motion.jacobians);
+  return motion;
+}
+
+MeasurementGroup FootContacts::velocity_group(const BodyFilter& filter, const Sole& sole) const {
+  const SoleMotion motion = motion_of(filter, sole);
   MeasurementGroup g;
   g.rows = 3;
-  const std::vector<int>& dofs = tree.chain_dofs(link);
-  const int n = tree.dofs();
   const auto append = [&](int index, const Vector3d& column) {
     g.support.push_back(index);
     g.H.insert(g.H.end(), {column.x(), column.y(), column.z()});
   };
-  for (std::size_t c = 0; c < dofs.size(); ++c) {
-    append(dofs[c], jacobians.J_v_theta.col(static_cast<Eigen::Index>(c)));
-    append(n + dofs[c], jacobians.J_p_theta.col(static_cast<Eigen::Index>(c)));
+  for (std::size_t c = 0; c < motion.dofs.size(); ++c) {
+    append(motion.dofs[c], motion.jacobians.J_v_theta.col(static_cast<Eigen::Index>(c)));
+    append(filter.tree().dofs() + motion.dofs[c], motion.jacobians.J_p_theta.col(static_cast<Eigen::Index>(c)));
   }
   for (int r = 0; r < 3; ++r) {
-    g.innovation[r] = -point.v[r];
+    g.innovation[r] = -motion.point.v[r];
     g.variance[r] = parameters_.velocity_noise * parameters_.velocity_noise;
   }
   g.gate = gates_[3];
@@ -250,21 +197,14 @@ MeasurementGroup FootContacts::velocity_group(const BodyFilter& filter, const So
 }
 
 MeasurementGroup FootContacts::height_group(const BodyFilter& filter, const Sole& sole, double ground) const {
-  const body::Tree& tree = filter.tree();
-  TreeKinematics kinematics(tree);
-  kinematics.update(filter.state().joints, bone_scales(tree, filter.state()));
-  const int link = tree.link_of(sole.segment);
-  const auto point = kinematics.point(link, sole.p_L);
-  body::PointJacobians jacobians;
-  kinematics.jacobians(link, point, TreeKinematics::kPosition, jacobians);
+  const SoleMotion motion = motion_of(filter, sole);
   MeasurementGroup g;
   g.rows = 1;
-  const std::vector<int>& dofs = tree.chain_dofs(link);
-  for (std::size_t c = 0; c < dofs.size(); ++c) {
-    g.support.push_back(dofs[c]);
-    g.H.push_back(jacobians.J_p_theta(2, static_cast<Eigen::Index>(c)));
+  for (std::size_t c = 0; c < motion.dofs.size(); ++c) {
+    g.support.push_back(motion.dofs[c]);
+    g.H.push_back(motion.jacobians.J_p_theta(2, static_cast<Eigen::Index>(c)));
   }
-  g.innovation[0] = ground - point.p.z();
+  g.innovation[0] = ground - motion.point.p.z();
   g.variance[0] = parameters_.height_noise * parameters_.height_noise;
   g.gate = gates_[1];
   return g;

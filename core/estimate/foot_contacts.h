@@ -14,6 +14,7 @@
 
 #include "base/diagnostics.h"
 #include "estimate/body_filter.h"
+#include "estimate/soles.h"
 
 namespace limbwave {
 class JsonReader;
@@ -40,17 +41,6 @@ struct ContactParameters {
   double still_velocity_noise = 0.02;  ///< m/s, of its root.
   double gate_probability = 1e-4;
 };
-
-/// A part of the sole that may stand.
-struct Sole {
-  int segment = 0;
-  Vector3d p_L = Vector3d::Zero();  ///< Lowest point at rest.
-  int board = -1;                   ///< On the foot; -1: none.
-  std::string name;
-};
-
-/// The feet of a skeleton: leaves whose lowest point at rest is within 6 cm of the whole body's lowest.
-std::vector<Sole> find_soles(const BodyModel& model);
 
 class FootContacts {
  public:
@@ -99,6 +89,12 @@ class FootContacts {
   [[nodiscard]] bool all_still() const;
   Decision decide(const BodyFilter& filter, std::size_t number);
   void apply(BodyFilter& filter, const Decision& decision, std::vector<UpdateRecord>* records, bool fresh);
+  struct SoleMotion {
+    body::TreeKinematics::PointMotion point;
+    body::PointJacobians jacobians;  // up to those of the velocity
+    const std::vector<int>& dofs;
+  };
+  [[nodiscard]] SoleMotion motion_of(const BodyFilter& filter, const Sole& sole) const;
   [[nodiscard]] MeasurementGroup velocity_group(const BodyFilter& filter, const Sole& sole) const;
   [[nodiscard]] MeasurementGroup height_group(const BodyFilter& filter, const Sole& sole, double ground) const;
 

@@ -10,6 +10,8 @@
 #include "base/files.h"
 #include "base/json_reader.h"
 #include "base/units.h"
+#include "estimate/body_batch.h"
+#include "estimate/body_tuning.h"
 #include "estimate/exact_rig.h"
 #include "estimate/sensor_mixup.h"
 #include "solve/driver_box.h"
@@ -138,6 +140,21 @@ Result<Ran> run_once(const estimate::BodyModel& model, const estimate::BodyFilte
     }
     watch.resume_from(*std::move(mind));
   }
+  if (settings.optimise) {
+    Result<estimate::BodyOptimum> optimum =
+        estimate::optimise_body(model, parameters, readings, settings.rate_hz, progress, &watch);
+    if (!optimum) {
+      return optimum.error();
+    }
+    std::vector<int> suspects = estimate::suspicious_boards(model, optimum->run, watch);
+    Diagnostics found = watch.findings();
+    found.push_back(
+        {Severity::kInfo, "body.optimised",
+         fmt::format("the cost of the whole take fell by {:.2f} % in {} rounds",
+                     100.0 * (1.0 - optimum->costs[optimum->best] / optimum->costs.front()), optimum->costs.size()),
+         "", ""});
+    return Ran{std::move(optimum->run), std::move(found), std::move(suspects)};
+  }
   Result<estimate::BodyRun> run =
       settings.smooth ? estimate::smooth_body(model, parameters, readings, settings.rate_hz, progress, 1.5, &watch)
                       : estimate::filter_body(model, parameters, readings, settings.rate_hz, progress, &watch);
@@ -182,6 +199,17 @@ Result<Ran> run_and_put_right(const estimate::BodyModel& model, const estimate::
   return ran;
 }
 
+Diagnostic tell(const estimate::BodyTuning& tuning) {
+  std::string factors;
+  for (const estimate::TunedNoise& noise : tuning.noises) {
+    factors += fmt::format("{}{} × {:.2f}", factors.empty() ? "" : ", ", noise.what, noise.factor);
+  }
+  return {Severity::kInfo, "body.tuned",
+          fmt::format("noises by the likelihood of the first {:.0f} s: {}; its logarithm rose by {:.0f}",
+                      tuning.seconds, factors, tuning.after - tuning.before),
+          "", ""};
+}
+
 // How far the root may be off in the end: said, not hidden.
 void report_drift(const estimate::BodyTrack& track, const std::string& root, Diagnostics& diagnostics) {
   if (track.root_sigma.empty() || (root != "free" && root != "contacts")) {
@@ -223,7 +251,19 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   if (exact) {
     parameters = estimate::exact_parameters(parameters);
   }
-  Result<Ran> ran = run_and_put_right(model, parameters, readings, settings, progress);
+  Diagnostics tuned;
+  if (settings.tune && !exact) {
+    const auto watch = [&] { return std::make_unique<estimate::BodyWatch>(model, watch_parameters(model, settings)); };
+    const Result<estimate::BodyTuning> tuning =
+        estimate::tune_body(model, parameters, readings, {}, progress.part(0.0, 0.5), watch);
+    if (!tuning) {
+      return tuning.error();
+    }
+    parameters = tuning->parameters;
+    tuned.push_back(tell(*tuning));
+  }
+  Result<Ran> ran =
+      run_and_put_right(model, parameters, readings, settings, settings.tune ? progress.part(0.5, 1.0) : progress);
   if (!ran) {
     Error error = ran.error();
     error.place = error.place.empty() && !is_cancelled(error) ? take.folder.string() : error.place;
@@ -252,6 +292,7 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   clip.root_position.values = track.root_p_W;
   solve.uncertainty = {track.times, track.sigma, track.point_sigma};
   solve.report.diagnostics = run->diagnostics;
+  solve.report.diagnostics.insert(solve.report.diagnostics.end(), tuned.begin(), tuned.end());
   solve.report.diagnostics.insert(solve.report.diagnostics.end(), ran->found.begin(), ran->found.end());
   report_drift(track, settings.root, solve.report.diagnostics);
   for (std::size_t b = 0; b < model.boards.size(); ++b) {

@@ -21,6 +21,8 @@ struct BodySolveSettings {
   std::string save_state = {};  ///< File to save the last state to; empty: none.
   /// Ranges are judged by what came before them alone, as live; offline what comes after helps.
   bool by_past = false;
+  bool optimise = false;  ///< With `smooth`: rounds of it, each linearised about the one before (estimate/body_batch.h).
+  bool tune = false;      ///< Noises are found from the take's first seconds (estimate/body_tuning.h).
 };
 
 /// The parameters that suit a model: what a rig of one free sensor needs is not what a body needs.

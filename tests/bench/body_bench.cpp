@@ -1,5 +1,5 @@
 // Speed of the body filter and the smoother, beside a textbook's dense filter and beside Eigen's updates of a
-// covariance alone, all in one run; then how the cost grows, and the memory of ten minutes (body_bench --memory).
+// covariance alone, all in one run; how the cost grows (--growth), and the memory of ten minutes (--memory).
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -224,8 +224,11 @@ int main(int argc, char** argv) {
     print_memory(argv[2], std::atof(argv[3]));
     return 0;
   }
+  if (argc == 2 && std::strcmp(argv[1], "--growth") == 0) {
+    print_growth();
+    return 0;
+  }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
-  print_growth();
   return 0;
 }

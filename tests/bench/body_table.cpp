@@ -1,15 +1,16 @@
 // Table 1 of Vlasic et al. 2007 on simulated takes, side by side with the paper. Prints, never decides.
-// body_table [key=value...]: motions, errors (profiles or files), seeds, sensors, methods (filter, smoother) are lists
-// with commas; rest, seconds are numbers; joints=1 adds a line per joint, times=S one per stretch of time, constants=1
-// one per board, drift=1 the first and the last 30 s (motions=walk seconds=300 drift=1: five minutes on a treadmill);
-// any parameter of the filter goes by its name. "stated" is the root mean square of the σ that the estimate gives
-// itself.
+// body_table [table1] [key=value...]: table1 adds, below the lines of single takes, the table over all of them;
+// motions, errors (profiles or files), seeds, sensors, methods (filter, smoother, batch) are lists with commas; rest,
+// seconds are numbers; joints=1 adds a line per joint, times=S one per stretch of time, constants=1 one per board,
+// drift=1 the first and the last 30 s (motions=walk seconds=300 drift=1: five minutes on a treadmill); any parameter of
+// the filter goes by its name. "stated" is the root mean square of the σ that the estimate gives itself.
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <ctime>
 #include <sstream>
 
+#include "estimate/body_batch.h"
 #include "estimate/body_parameters.h"
 #include "estimate/exact_rig.h"
 #include "support/body_runs.h"
@@ -58,7 +59,7 @@ struct Settings {
   std::vector<std::string> sensors{"A", "AD", "D", "G", "GD", "AG", "AGD"};
   double rest = 3.0, seconds = 0.0, metres = 0.0;
   double times = 0.0;
-  bool joints = false, constants = false, drift = false;
+  bool joints = false, constants = false, drift = false, table1 = false;
   std::vector<std::pair<std::string, double>> parameters;
 };
 
@@ -71,7 +72,9 @@ Settings parse(int argc, char** argv) {
     const std::string value = equal == std::string::npos ? "" : argument.substr(equal + 1);
     const double number = std::atof(value.c_str());
     estimate::BodyFilterParameters known;
-    if (key == "motions") {
+    if (key == "table1") {
+      s.table1 = true;
+    } else if (key == "motions") {
       s.motions = list(value);
     } else if (key == "errors") {
       s.errors = list(value);
@@ -152,7 +155,50 @@ void print_constants(const testing_support::Wearer& wearer, const estimate::Body
   }
 }
 
-void run(const Settings& settings, const testing_support::Wearer& wearer, const std::string& label) {
+// Over all takes, by method and sensors.
+using Totals = std::map<std::pair<std::string, std::string>, JointErrors>;
+
+void merge(JointErrors& all, const JointErrors& more) {
+  const auto add = [](testing_support::Errors& to, const testing_support::Errors& e) {
+    to.sum += e.sum;
+    to.square += e.square;
+    to.stated += e.stated;
+    to.largest = std::max(to.largest, e.largest);
+    to.count += e.count;
+  };
+  for (const auto& [name, e] : more.by_name) {
+    add(all.by_name[name], e);
+  }
+  add(all.all, more.all);
+}
+
+// Here and in the paper, mean / σ in degrees, and the mean of the three joints, by which the rows can be ordered.
+void print_table1(const Settings& settings, const Totals& totals) {
+  const char* joints[] = {"neck", "right_upper_arm", "left_thigh"};
+  for (const std::string& method : settings.methods) {
+    fmt::print("\nTable 1, {}: mean/σ here, the paper's\n{:<8}|{:^31}|{:^31}|{:^31}|{:^17}| all joints\n", method,
+               "sensors", "neck", "right shoulder", "left hip", "mean of three");
+    for (const PaperRow& row : kPaper) {
+      const auto at = totals.find({method, row.sensors});
+      if (at == totals.end()) {
+        continue;
+      }
+      double here = 0.0;
+      double paper = 0.0;
+      fmt::print("{:<8}", row.sensors);
+      for (int j = 0; j < 3; ++j) {
+        const auto& e = at->second.by_name.at(joints[j]);
+        fmt::print("|  {:6.2f}/{:6.2f}   {:6.1f}/{:5.1f}  ", e.mean(), e.sd(), row.figures[2 * j],
+                   row.figures[2 * j + 1]);
+        here += e.mean() / 3.0;
+        paper += row.figures[2 * j] / 3.0;
+      }
+      fmt::print("|  {:6.2f}  {:6.1f} | {:6.2f}\n", here, paper, at->second.all.mean());
+    }
+  }
+}
+
+void run(const Settings& settings, const testing_support::Wearer& wearer, const std::string& label, Totals& totals) {
   const double seconds = wearer.readings.inertial.back().time_s;
   for (const PaperRow& row : kPaper) {
     const std::string sensors = row.sensors;
@@ -174,10 +220,22 @@ void run(const Settings& settings, const testing_support::Wearer& wearer, const 
       if (exact) {
         p = estimate::exact_parameters(p);
       }
-      const auto solved = need(method == "filter" ? estimate::filter_body(model, p, wearer.readings, 60.0, {})
-                                                  : estimate::smooth_body(model, p, wearer.readings, 60.0, {}));
+      estimate::BodyRun solved;
+      if (method == "batch") {
+        auto optimum = need(estimate::optimise_body(model, p, wearer.readings, 60.0, {}));
+        solved = std::move(optimum.run);
+        fmt::print("   costs:");
+        for (const double cost : optimum.costs) {
+          fmt::print(" {:.0f}", cost);
+        }
+        fmt::print("\n");
+      } else {
+        solved = need(method == "filter" ? estimate::filter_body(model, p, wearer.readings, 60.0, {})
+                                         : estimate::smooth_body(model, p, wearer.readings, 60.0, {}));
+      }
       const double busy = cpu_seconds() - begin;
       const JointErrors errors = errors_of(wearer, solved.track);
+      merge(totals[{method, sensors}], errors);
       double worst = 0.0;
       for (const auto& [name, e] : errors.by_name) {
         worst = std::max(worst, e.mean());
@@ -221,6 +279,7 @@ int main(int argc, char** argv) {
       "motion, errors, seed         method   sensors |     neck       right shoulder   left hip   | paper's: the same  "
       "  "
       "             | all joints | all joints rms | x real time\n");
+  Totals totals;
   for (const std::string& motion : settings.motions) {
     for (const std::string& profile : settings.errors) {
       const auto errors = need(simulate::load_driver_box_errors(profile));
@@ -232,9 +291,12 @@ int main(int argc, char** argv) {
           const auto slash = path.find_last_of('/');
           return path.substr(slash == std::string::npos ? 0 : slash + 1);
         };
-        run(settings, wearer, name(motion) + " " + name(profile) + " " + seed);
+        run(settings, wearer, name(motion) + " " + name(profile) + " " + seed, totals);
       }
     }
+  }
+  if (settings.table1) {
+    print_table1(settings, totals);
   }
   return 0;
 }
