@@ -18,6 +18,7 @@
 #include "common/icons.h"
 #include "common/theme.h"
 #include "workspaces/dock_title.h"
+#include "workspaces/inspector_pages.h"
 #include "workspaces/job_bar.h"
 #include "workspaces/layout_store.h"
 #include "workspaces/manual_window.h"
@@ -81,8 +82,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::make_docks() {
   inspector_dock_ = new QDockWidget(tr("Inspector"), this);
   inspector_dock_->setObjectName(QStringLiteral("inspector"));
-  inspector_pages_ = new QStackedWidget(inspector_dock_);
-  inspector_pages_->setMinimumWidth(32 * kGrid);
+  inspector_pages_ = new InspectorPages(inspector_dock_);
   inspector_dock_->setWidget(inspector_pages_);
   inspector_dock_->setTitleBarWidget(new DockTitle(inspector_dock_));
   addDockWidget(Qt::RightDockWidgetArea, inspector_dock_);

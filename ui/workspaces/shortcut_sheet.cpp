@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <algorithm>
 #include <array>
 
@@ -16,7 +17,7 @@ namespace limbwave::ui {
 
 namespace {
 
-constexpr int kWidestLine = 30 * kGrid;  // What is longer is wrapped where there is no more room.
+constexpr int kWidestLine = 33 * kGrid;  // What is longer is wrapped where there is no more room.
 
 // Names of keys, for languages that Qt brings no words for.
 [[maybe_unused]] constexpr std::array kKeyNames{
@@ -49,7 +50,7 @@ std::vector<ShortcutGroup> shortcut_groups(const StudioParts& parts) {
        {native("F3 / F4"), ShortcutSheet::tr("Show or hide the inspector, the timeline")},
        {native("F11"), ShortcutSheet::tr("Full screen")},
        {native("F1"), ShortcutSheet::tr("The manual")},
-       {QStringLiteral("? / Shift+?"), ShortcutSheet::tr("All keyboard shortcuts")},
+       {native("? / Shift+?"), ShortcutSheet::tr("All keyboard shortcuts")},
        {native("Ctrl+Q"), ShortcutSheet::tr("Quit")}}};
   for (const StudioAction& action : parts.actions) {
     everywhere.shortcuts.push_back({action.keys.toString(QKeySequence::NativeText), action.what});
@@ -114,7 +115,7 @@ ShortcutSheet::ShortcutSheet(const std::vector<ShortcutGroup>& groups, QWidget* 
     one->addStretch();
   }
   // As large as its content, where the screen has the room.
-  const QSize wanted = page->sizeHint() + QSize(2, 2);
+  const QSize wanted = page->sizeHint() + QSize(scroll->verticalScrollBar()->sizeHint().width() + 2, 2);
   const QSize room = QGuiApplication::primaryScreen()->availableSize() * 0.95;
   resize(std::min(wanted.width(), room.width()), std::min(wanted.height(), room.height()));
 }

@@ -376,7 +376,7 @@ class CalibrateWorkspaceTest : public QObject {
     QUndoStack& undo = bench.studio.context->undo_stack();
     undo.undo();
     QCOMPARE(bench.source->calibration().mounts[0].method, std::string("nominal"));
-    desk.set_wearer(QStringLiteral("Bo"));
+    bench.studio.context->set_wearer(QStringLiteral("Bo"));
     undo.redo();
     QCOMPARE(bench.source->calibration().mounts[0].method, std::string("nominal"));
     QCOMPARE(bench.source->calibration().sensors[0].residual_g, 0.125);

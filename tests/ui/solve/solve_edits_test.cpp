@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -34,6 +35,23 @@ class SolveEditsTest : public SolveWindowTest {
   void cleanup() {
     studio_.reset();
     solving_.reset();
+  }
+
+  void nothing_of_the_inspector_is_cut_off() {
+    open_solved();
+    for (const char* other : {"capture", "calibrate", "export"}) {
+      studio_->window->show_workspace(QString::fromLatin1(other));
+      QTest::qWait(50);
+      studio_->window->show_workspace(QStringLiteral("solve"));
+      QTest::qWait(50);
+      auto* slider = find<QSlider>(QStringLiteral("Rotation about the vertical at the playhead in degrees"));
+      QWidget* content = slider;
+      while (qobject_cast<QScrollArea*>(content->parentWidget()->parentWidget()) == nullptr) {
+        content = content->parentWidget();
+      }
+      const auto* area = qobject_cast<QScrollArea*>(content->parentWidget()->parentWidget());
+      QTRY_VERIFY2(area->viewport()->width() >= content->width(), other);
+    }
   }
 
   void turning_a_bone_sets_a_key_at_once_and_can_be_undone() {

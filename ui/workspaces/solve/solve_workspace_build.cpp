@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,6 +17,37 @@
 #include "workspaces/solve/solve_workspace.h"
 
 namespace limbwave::ui {
+
+namespace {
+
+/// Scrolls up and down and is never narrower than what is in it: nothing is cut off at the right.
+class InspectorArea : public QScrollArea {
+ public:
+  InspectorArea() {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  }
+  void follow(QWidget* content) {
+    setWidget(content);
+    content->installEventFilter(this);
+  }
+
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    const int content = widget() == nullptr ? 0 : widget()->minimumSizeHint().width();
+    return {content + verticalScrollBar()->sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest && watched == widget()) {
+      updateGeometry();
+    }
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
+
+}  // namespace
 
 QWidget* SolveWorkspace::make_toolbar() {
   auto* bar = new QWidget(this);
@@ -109,10 +141,7 @@ QWidget* SolveWorkspace::make_main_page() {
 }
 
 QWidget* SolveWorkspace::create_inspector() {
-  auto* area = new QScrollArea;
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* area = new InspectorArea;
   auto* content = new QWidget(area);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
@@ -131,7 +160,7 @@ QWidget* SolveWorkspace::create_inspector() {
   connect(&model_, &SolveModel::shows_live_changed, of_take,
           [this, of_take] { of_take->setVisible(!model_.shows_live()); });
   of_take->setVisible(!model_.shows_live());
-  area->setWidget(content);
+  area->follow(content);
   return area;
 }
 
