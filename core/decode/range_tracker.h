@@ -21,7 +21,7 @@ struct TrackerStep {
 };
 
 /// Error-state Kalman filter of inertial navigation relative to the sources, aided by ranges. State, in the frame C of
-/// the segment that most sources sit on (origin at its board, axes turning with it):
+/// one segment with sources (origin at its board, axes turning with it):
 ///   p  microphone, metres
 ///   v  its velocity, less that of the frame's origin, not less what the frame's turning adds, m/s
 ///   e  what is wrong with the acceleration that the two boards tell, m/s²; without words the acceleration itself

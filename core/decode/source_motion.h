@@ -13,7 +13,7 @@
 
 namespace limbwave::decode {
 
-/// How boards and sources hang together. Frame C is that of the segment that most sources sit on; places are in C, at
+/// How boards and sources hang together. Frame C is that of one segment with sources; places are in C, at
 /// rest, metres.
 struct BoxGeometry {
   /// One piece of the way from C to a point: from `from` on, the way turns with the board of `wire`.
