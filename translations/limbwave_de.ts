@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>BoxWords</name>
+    <message>
+        <source>its wire is pulled out of the box</source>
+        <translation>sein Kabel ist aus der Box gezogen</translation>
+    </message>
+    <message>
+        <source>its signal is at full scale</source>
+        <translation>sein Signal ist voll ausgesteuert</translation>
+    </message>
+    <message>
+        <source>its words are not understood; check the wire and the board</source>
+        <translation>seine Worte sind nicht zu verstehen; Kabel und Platine prüfen</translation>
+    </message>
+    <message>
+        <source>it has fallen silent</source>
+        <translation>er ist verstummt</translation>
+    </message>
+    <message>
+        <source>it says the same for ever; switch the board off and on</source>
+        <translation>er sagt immer dasselbe; die Platine aus- und einschalten</translation>
+    </message>
+</context>
+<context>
     <name>CalibrationWords</name>
     <message>
         <source>%1, %2</source>
@@ -2491,10 +2514,6 @@
         <translation>legen Sie eine andere an</translation>
     </message>
     <message>
-        <source>is no rig of this driver box</source>
-        <translation>ist kein Rig dieser Driver-Box</translation>
-    </message>
-    <message>
         <source>cannot be known while recording</source>
         <translation>kann während der Aufnahme nicht bekannt sein</translation>
     </message>
@@ -2513,14 +2532,6 @@
     <message>
         <source>start one</source>
         <translation>starten Sie eine</translation>
-    </message>
-    <message>
-        <source>nothing was recorded</source>
-        <translation>nichts wurde aufgenommen</translation>
-    </message>
-    <message>
-        <source>start with the folder of a take</source>
-        <translation>starten Sie mit dem Ordner eines Takes</translation>
     </message>
     <message>
         <source>%1 up</source>
@@ -3546,12 +3557,40 @@
         <source>noises by the likelihood of the first %1 s: %2; its logarithm rose by %3</source>
         <translation>Rauschen nach der Likelihood der ersten %1 s: %2; ihr Logarithmus stieg um %3</translation>
     </message>
+    <message>
+        <source>Driver box on %1%2</source>
+        <translation>Treiberbox an %1%2</translation>
+    </message>
+    <message>
+        <source>Driver box emulator %1</source>
+        <translation>Emulator einer Treiberbox %1</translation>
+    </message>
+    <message>
+        <source>%1 as a driver box</source>
+        <translation>%1 als Treiberbox</translation>
+    </message>
+    <message>
+        <source>wire %1 was pulled before</source>
+        <translation>Kabel %1 war vorher schon gezogen</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
     <message>
         <source>Simulator: %1</source>
         <translation>Simulator: %1</translation>
+    </message>
+    <message>
+        <source>%1 as a driver box</source>
+        <translation>%1 als Treiberbox</translation>
+    </message>
+    <message>
+        <source>Driver box emulator %1</source>
+        <translation>Emulator einer Treiberbox %1</translation>
+    </message>
+    <message>
+        <source>Driver box at %1</source>
+        <translation>Treiberbox an %1</translation>
     </message>
 </context>
 <context>
@@ -4782,6 +4821,37 @@
         <source>A calibration is under way; its raw signals are kept in a take of their own.</source>
         <translation>Eine Kalibrierung läuft; ihre Rohsignale werden in einem eigenen Take aufgehoben.</translation>
     </message>
+    <message>
+        <source>Samples that were lost so far: %1, in %2 gaps. What follows keeps its time.</source>
+        <translation>Bisher verlorene Abtastwerte: %1, in %2 Lücken. Was folgt, behält seine Zeit.</translation>
+    </message>
+    <message>
+        <source>box –</source>
+        <translation>Box –</translation>
+    </message>
+    <message>
+        <source>The driver box has not been heard yet.</source>
+        <translation>Von der Treiberbox ist noch nichts gekommen.</translation>
+    </message>
+    <message>
+        <source>box away</source>
+        <translation>Box fort</translation>
+    </message>
+    <message>
+        <source>The driver box does not answer. It is taken back by itself as soon as it does.</source>
+        <translation>Die Treiberbox antwortet nicht. Sobald sie es tut, geht es von selbst weiter.</translation>
+    </message>
+    <message numerus="yes">
+        <source>box: %n gap(s)</source>
+        <translation>
+            <numerusform>Box: %n Lücke</numerusform>
+            <numerusform>Box: %n Lücken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Gaps on the line: %1, with %2 samples; reconnections: %3. Every gap has its length in the take.</source>
+        <translation>Lücken auf der Leitung: %1 mit %2 Abtastwerten; neu verbunden: %3. Jede Lücke steht mit ihrer Länge in der Aufnahme.</translation>
+    </message>
 </context>
 <context>
     <name>TakeSegments</name>
@@ -4961,6 +5031,97 @@
     <message>
         <source>About the vertical, which gravity cannot tell. It holds from now on, for the next take too.</source>
         <translation>Um die Senkrechte, was die Schwerkraft nicht verrät. Es gilt ab jetzt, auch für den nächsten Take.</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::BoxPanel</name>
+    <message>
+        <source>Driver box</source>
+        <translation>Treiberbox</translation>
+    </message>
+    <message>
+        <source> °C</source>
+        <translation> °C</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Temperature of the air</source>
+        <translation>Temperatur der Luft</translation>
+    </message>
+    <message>
+        <source>The speed of sound follows from it: one degree is 0.2 per cent of every range</source>
+        <translation>Daraus folgt die Schallgeschwindigkeit: ein Grad macht 0,2 Prozent jeder Entfernung aus</translation>
+    </message>
+    <message>
+        <source>Humidity of the air</source>
+        <translation>Feuchte der Luft</translation>
+    </message>
+    <message>
+        <source>Relative; it matters little</source>
+        <translation>Relative Feuchte; sie macht wenig aus</translation>
+    </message>
+    <message>
+        <source>Height of the wearer</source>
+        <translation>Körpergröße der Person</translation>
+    </message>
+    <message>
+        <source>Skeleton and places of the boards are scaled to it</source>
+        <translation>Skelett und Sitz der Platinen werden danach bemessen</translation>
+    </message>
+    <message>
+        <source>as the rig says</source>
+        <translation>wie im Aufbau</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Feuchte</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Waiting for the box</source>
+        <translation>Warten auf die Box</translation>
+    </message>
+    <message>
+        <source>The box is away; it is taken back by itself</source>
+        <translation>Die Box ist fort; sie wird von selbst wieder verbunden</translation>
+    </message>
+    <message>
+        <source>No live figure</source>
+        <translation>Keine Live-Figur</translation>
+    </message>
+    <message>
+        <source>Stand still for a second</source>
+        <translation>Eine Sekunde stillstehen</translation>
+    </message>
+    <message>
+        <source>Live: %1 poses a second</source>
+        <translation>Live: %1 Posen je Sekunde</translation>
+    </message>
+    <message>
+        <source>Joints ± %1°, root ± %2 m (1 σ)</source>
+        <translation>Gelenke ± %1°, Wurzel ± %2 m (1 σ)</translation>
+    </message>
+    <message>
+        <source>Gaps: %1, samples lost: %2, reconnections: %3</source>
+        <translation>Lücken: %1, Abtastwerte verloren: %2, neu verbunden: %3</translation>
+    </message>
+    <message>
+        <source>Battery %1 V, %2 °C</source>
+        <translation>Batterie %1 V, %2 °C</translation>
     </message>
 </context>
 <context>
@@ -5367,6 +5528,10 @@
     <message>
         <source>folder for takes</source>
         <translation>Ordner für Takes</translation>
+    </message>
+    <message>
+        <source>Driver box at %1</source>
+        <translation>Treiberbox an %1</translation>
     </message>
 </context>
 <context>
@@ -7888,10 +8053,6 @@
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Where the signal comes from: a sound card&apos;s line input, or the simulator</source>
-        <translation>Woher das Signal kommt: der Line-Eingang einer Soundkarte oder der Simulator</translation>
-    </message>
-    <message>
         <source>R&amp;ig</source>
         <translation>R&amp;ig</translation>
     </message>
@@ -7962,6 +8123,30 @@
     <message>
         <source>Name the sensor board, and say which sensor is worn where</source>
         <translation>Die Sensorplatine benennen und sagen, welcher Sensor wo getragen wird</translation>
+    </message>
+    <message>
+        <source>Where the signal comes from: a sound card&apos;s line input, a driver box, or the simulator</source>
+        <translation>Woher das Signal kommt: vom Line-Eingang einer Soundkarte, von einer Treiberbox oder vom Simulator</translation>
+    </message>
+    <message>
+        <source>Driver box at another port</source>
+        <translation>Treiberbox an einem anderen Anschluss</translation>
+    </message>
+    <message>
+        <source>Serial port of the driver box, or the link of an emulator:</source>
+        <translation>Serieller Anschluss der Treiberbox oder Verweis eines Emulators:</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Driver box at another port…</source>
+        <translation>Treiberbox an einem anderen Anschluss …</translation>
     </message>
 </context>
 <context>
@@ -8613,6 +8798,77 @@
     <message>
         <source>From the wiring to the animation (F1)</source>
         <translation>Von der Verkabelung zur Animation (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::WireView</name>
+    <message>
+        <source>Wires of the driver box</source>
+        <translation>Kabel der Treiberbox</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>All wires are well.</source>
+        <translation>Alle Kabel sind in Ordnung.</translation>
+    </message>
+    <message>
+        <source>pulled out</source>
+        <translation>herausgezogen</translation>
+    </message>
+    <message>
+        <source>not understood</source>
+        <translation>nicht zu verstehen</translation>
+    </message>
+    <message>
+        <source>listening</source>
+        <translation>wird abgehört</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>no words</source>
+        <translation>keine Worte</translation>
+    </message>
+    <message>
+        <source>frozen</source>
+        <translation>eingefroren</translation>
+    </message>
+    <message>
+        <source>clips</source>
+        <translation>übersteuert</translation>
+    </message>
+    <message>
+        <source>well</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>Wire %1, %2: %3. Words lost: %4 of %5; bits put right: %6.</source>
+        <translation>Kabel %1, %2: %3. Verlorene Worte: %4 von %5; berichtigte Bits: %6.</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Platine</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Words/s</source>
+        <translation>Worte/s</translation>
+    </message>
+    <message>
+        <source>Ranges/s</source>
+        <translation>Entfernungen/s</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>StatusFacts</name>
+    <message numerus="yes">
+        <source>box: %n gap(s)</source>
+        <translation>
+            <numerusform>box: %n gap</numerusform>
+            <numerusform>box: %n gaps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>limbwave::ui::KeyEditor</name>
     <message numerus="yes">
         <source>move %n key(s)</source>

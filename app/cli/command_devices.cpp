@@ -2,12 +2,27 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "acquire/box_ports.h"
 #include "acquire/sound_card.h"
 #include "commands.h"
 #include "simulate/simulate.h"
 
 namespace limbwave::cli {
+namespace {
+
+constexpr int kWires = 18;  // of the shipped rig
+
+// Serial ports and emulators, and sound cards that are large enough.
+std::vector<acquire::DeviceInfo> list_boxes(const std::vector<acquire::DeviceInfo>& cards) {
+  std::vector<acquire::DeviceInfo> boxes = acquire::list_box_ports();
+  const std::vector<acquire::DeviceInfo> large = acquire::cards_as_boxes(cards, kWires);
+  boxes.insert(boxes.end(), large.begin(), large.end());
+  return boxes;
+}
+
+}  // namespace
 
 void add_devices(CLI::App& app, Console& console) {
   struct Options {
@@ -34,7 +49,12 @@ void add_devices(CLI::App& app, Console& console) {
                         {"rates_hz", device.rates_hz},
                         {"types", types}});
       }
-      console.print_json({{"devices", list}, {"simulator_motions", simulate::builtin_motions()}});
+      nlohmann::json boxes = nlohmann::json::array();
+      for (const acquire::DeviceInfo& box : list_boxes(devices)) {
+        boxes.push_back({{"id", box.id}, {"title", box.title}, {"port", acquire::box_port(box.id)}});
+      }
+      console.print_json(
+          {{"devices", list}, {"driver_boxes", boxes}, {"simulator_motions", simulate::builtin_motions()}});
       return;
     }
     if (devices.empty()) {
@@ -47,6 +67,9 @@ void add_devices(CLI::App& app, Console& console) {
       }
       console.print(fmt::format("{}{}\n    {}, {} channels, {} kHz", device.id, device.is_default ? "  (default)" : "",
                                 device.title, device.channels, rates.empty() ? "no usable rate" : rates));
+    }
+    for (const acquire::DeviceInfo& box : list_boxes(devices)) {
+      console.print(fmt::format("{}\n    {}", box.id, box.title));
     }
     for (const std::string& motion : simulate::builtin_motions()) {
       console.print("simulator:" + motion);

@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -28,64 +27,18 @@ using acquire::PacketKind;
 constexpr double kMemory = 1.0;       // seconds of blocks that the box keeps when the line does not take them
 constexpr std::int64_t kKernel = 32;  // blocks that the terminal itself may hold
 
-struct FaultKind {
-  const char *name, *argument, *text;
-};
-constexpr FaultKind kFaults[] = {
-    {"lose", "[N]", "the next N blocks (1) never reach the line"},
-    {"corrupt", "[N]", "three bytes of each of the next N blocks (1) arrive changed"},
-    {"duplicate", "", "the next block comes twice"},
-    {"reorder", "", "the next two blocks come in the wrong order"},
-    {"pull", "WIRE", "a board's wire (1, 2, ...) is pulled out: silence until it is plugged in"},
-    {"plug", "WIRE", "the wire is plugged in again"},
-    {"stall", "SECONDS", "nothing comes for so long; the box keeps one second and loses the rest"},
-    {"unplug", "SECONDS", "the cable to the computer is out for so long; the box goes on counting"},
-    {"reboot", "SECONDS", "the box is off for so long, and has then forgotten everything"},
-};
-
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
 
-std::string fault_help() {
-  std::string text;
-  for (const FaultKind& fault : kFaults) {
-    text += fmt::format("  {:<16} {}\n", fmt::format("{} {}", fault.name, fault.argument), fault.text);
-  }
-  return text + "  help             lists these\n";
-}
-
-Result<std::vector<TimedFault>> load_faults(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) {
-    return Error{"cannot be read", file, "check the path"};
-  }
-  std::vector<TimedFault> faults;
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    line = line.substr(0, line.find('#'));
-    std::istringstream words(line);
-    TimedFault fault;
-    if (line.find_first_not_of(" \t\r") == std::string::npos) {
-      continue;
-    }
-    if (!(words >> fault.at_s) || !std::getline(words >> std::ws, fault.command) ||
-        (!faults.empty() && fault.at_s < faults.back().at_s)) {
-      return Error{"is no fault", fmt::format("{}:{}", file, number), "write \"SECONDS FAULT\", in order of time"};
-    }
-    faults.push_back(std::move(fault));
-  }
-  return faults;
-}
-
 Emulator::Emulator(acquire::BoxHello hello, EmulatorSettings settings, Samples samples, Schedule schedule)
     : hello_(std::move(hello)),
       settings_(std::move(settings)),
       samples_(std::move(samples)),
       schedule_(std::move(schedule)),
-      random_(settings_.seed) {}
+      faults_(settings_.faults, settings_.faults_every_s, hello_.wires, settings_.seed) {}
 
 Emulator::~Emulator() {
   close();
@@ -269,62 +222,16 @@ bool Emulator::command(const std::string& line) {
   return true;
 }
 
-void Emulator::own_fault(double now) {
-  for (auto it = plug_again_.begin(); it != plug_again_.end();) {
-    if (it->first <= now) {
-      (void)command(fmt::format("plug {}", it->second));
-      it = plug_again_.erase(it);
-    } else {
-      ++it;
-    }
+void Emulator::own_faults(double now) {
+  const double since_start = first_start_s_ < 0.0 ? -1.0 : now - first_start_s_;
+  for (const std::string& fault : faults_.due(now, since_start, running_, unplugged_until_s_ > 0.0)) {
+    obey(fault);
   }
-  for (; first_start_s_ >= 0.0 && next_timed_ < settings_.faults.size() &&
-         settings_.faults[next_timed_].at_s <= now - first_start_s_;
-       ++next_timed_) {
-    if (!command(settings_.faults[next_timed_].command)) {
-      std::fputs(fmt::format("limbwave-driver-box-emulator: {}: is no fault; help lists them\n",
-                             settings_.faults[next_timed_].command)
-                     .c_str(),
-                 stderr);
-    }
-  }
-  if (settings_.faults_every_s <= 0.0 || !running_ || now < next_fault_s_) {
-    return;
-  }
-  std::exponential_distribution<double> pause(1.0 / settings_.faults_every_s);
-  const bool first = next_fault_s_ == 0.0;
-  next_fault_s_ = now + pause(random_);
-  if (first || unplugged_until_s_ > 0.0) {
-    return;
-  }
-  const auto wire = static_cast<int>(random_() % static_cast<std::uint64_t>(hello_.wires)) + 1;
-  switch (random_() % 12) {
-    case 0:
-    case 1:
-    case 2:
-      (void)command(fmt::format("lose {}", 1 + random_() % 20));
-      break;
-    case 3:
-    case 4:
-      (void)command(fmt::format("corrupt {}", 1 + random_() % 4));
-      break;
-    case 5:
-    case 6:
-      (void)command("duplicate");
-      break;
-    case 7:
-    case 8:
-      (void)command("reorder");
-      break;
-    case 9:
-      (void)command(fmt::format("pull {}", wire));
-      plug_again_.emplace_back(now + 1.0, wire);
-      break;
-    case 10:
-      (void)command(fmt::format("stall {}", 0.2 + 0.1 * static_cast<double>(random_() % 10)));
-      break;
-    default:
-      (void)command(fmt::format("unplug {}", 0.2 + 0.1 * static_cast<double>(random_() % 20)));
+}
+
+void Emulator::obey(const std::string& line) {
+  if (!command(line)) {
+    std::fputs(fmt::format("limbwave-driver-box-emulator: {}: is no fault; help lists them\n", line).c_str(), stderr);
   }
 }
 
@@ -365,10 +272,10 @@ void Emulator::make_block() {
     --corrupt_;
     std::set<std::size_t> places;
     while (places.size() < 3) {
-      places.insert(random_() % packet.packet.size());
+      places.insert(faults_.random()() % packet.packet.size());
     }
     for (const std::size_t place : places) {
-      packet.packet[place] ^= static_cast<std::byte>(1U + random_() % 255U);
+      packet.packet[place] ^= static_cast<std::byte>(1U + faults_.random()() % 255U);
     }
     log("lost", block.first, block.frames);
   }
@@ -405,7 +312,7 @@ void Emulator::flush() {
 }
 
 // Lines on standard input.
-void Emulator::obey(int& input) {
+void Emulator::read_lines(int& input) {
   char text[256];
   const ssize_t got = ::read(input, text, sizeof text);
   if (got <= 0) {
@@ -416,9 +323,8 @@ void Emulator::obey(int& input) {
       input_line_ += text[i];
       continue;
     }
-    if (!input_line_.empty() && !command(input_line_)) {
-      std::fputs(fmt::format("limbwave-driver-box-emulator: {}: is no fault; help lists them\n", input_line_).c_str(),
-                 stderr);
+    if (!input_line_.empty()) {
+      obey(input_line_);
     }
     input_line_.clear();
   }
@@ -439,7 +345,7 @@ Status Emulator::run(const std::function<bool()>& stop, int input) {
       }
     }
     hear();
-    own_fault(now);
+    own_faults(now);
     // Blocks that are due; not too many at once, so that commands are heard.
     for (int i = 0; running_ && i < 64 &&
                     started_s_ + static_cast<double>(frame_) / settings_.block_frames * block_s + block_s <= now;
@@ -458,7 +364,7 @@ Status Emulator::run(const std::function<bool()>& stop, int input) {
         {input, POLLIN, 0}};
     ::poll(waits, 2, 1);
     if (input >= 0 && (waits[1].revents & (POLLIN | POLLHUP)) != 0) {
-      obey(input);
+      read_lines(input);
     }
   }
   return {};

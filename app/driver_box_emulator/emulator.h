@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <deque>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "acquire/driver_box_protocol.h"
 #include "base/result.h"
+#include "faults.h"
 
 namespace limbwave::emulator {
 
@@ -18,17 +18,6 @@ namespace limbwave::emulator {
 using Samples = std::function<void(std::vector<std::int16_t>& out, int frames, bool from_start)>;
 /// Which source fires in which slot, from the next start on; false where that cannot be.
 using Schedule = std::function<bool(const std::vector<std::uint8_t>& schedule)>;
-
-/// A fault that happens by itself, so long after the first start.
-struct TimedFault {
-  double at_s = 0.0;
-  std::string command;
-};
-
-/// What `Emulator::command` understands, for people.
-std::string fault_help();
-/// Lines "SECONDS FAULT", empty ones and comments behind # aside. Fails with file and line.
-Result<std::vector<TimedFault>> load_faults(const std::string& file);
 
 struct EmulatorSettings {
   std::string link;  ///< A symbolic link that always leads to the present terminal; empty: none.
@@ -63,10 +52,11 @@ class Emulator {
   void answer(const acquire::Packet& packet);
   void send(acquire::PacketKind kind, const std::vector<std::byte>& body);
   void begin();
-  void obey(int& input);
+  void obey(const std::string& line);
+  void read_lines(int& input);
   void make_block();
   void flush();
-  void own_fault(double now);
+  void own_faults(double now);
   void log(const std::string& kind, std::int64_t first, std::int64_t frames);
   void close();
 
@@ -94,11 +84,9 @@ class Emulator {
   bool duplicate_ = false, reorder_ = false;
   Waiting held_back_;
   double stalled_until_s_ = -1.0, unplugged_until_s_ = -1.0;
-  double next_status_s_ = 0.0, next_fault_s_ = 0.0;
+  double next_status_s_ = 0.0;
   double first_start_s_ = -1.0;
-  std::size_t next_timed_ = 0;  // of the settings' faults
-  std::vector<std::pair<double, int>> plug_again_;
-  std::mt19937_64 random_;
+  FaultPlan faults_;
   std::string input_line_;
 };
 

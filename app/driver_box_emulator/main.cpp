@@ -10,10 +10,12 @@
 #include <cstdio>
 #include <deque>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <thread>
 
+#include "acquire/box_ports.h"
 #include "body/rig.h"
 #include "emulator.h"
 #include "simulate/driver_box_stream.h"
@@ -237,6 +239,12 @@ int run(const Options& options) {
   Maker maker(supply->make);
   const auto wires = static_cast<std::size_t>(hello.wires);
   limbwave::emulator::EmulatorSettings settings = options.settings;
+  if (settings.link.empty()) {
+    std::error_code code;
+    std::filesystem::create_directories(limbwave::acquire::emulator_folder(), code);
+    settings.link = (limbwave::acquire::emulator_folder() / std::to_string(::getpid())).string();
+  }
+  const std::string link = settings.link;
   if (!options.faults.empty()) {
     auto faults = limbwave::emulator::load_faults(options.faults);
     if (!faults) {
@@ -256,7 +264,7 @@ int run(const Options& options) {
   if (const auto opened = emulator.open(); !opened) {
     return fail(opened.error());
   }
-  fmt::print("{}\n", options.settings.link.empty() ? emulator.path() : options.settings.link);
+  fmt::print("{}\n", link);
   std::fflush(stdout);
   if (const auto ran = emulator.run([] { return interrupted.load(); }, STDIN_FILENO); !ran) {
     return fail(ran.error());
@@ -273,10 +281,16 @@ int start(int argc, char** argv) {
   app.add_option("--errors", options.errors, "Error profile: none, calibrated, paper or a file")->capture_default_str();
   app.add_option("--take", options.take, "A recorded take instead of a simulation");
   app.add_option("--seed", options.seed, "Seed of everything random")->capture_default_str();
-  app.add_option("--link", options.settings.link, "Symbolic link that always leads to the terminal");
+  app.add_option(
+      "--link", options.settings.link,
+      "Symbolic link that always leads to the terminal; else one that `limbwave devices` and the studio find");
   app.add_option("--log", options.settings.log, "File that tells every fault, one JSON object a line");
   app.add_option("--seconds", options.settings.seconds, "End after this time; 0: at Ctrl-C")
       ->check(CLI::Range(0.0, 864000.0));
+  app.add_option("--speed", options.settings.speed,
+                 "Times real time: below 1 for slow computers; samples stay the same")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
   app.add_option("--block", options.settings.block_frames, "Frames of a block")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
-#include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "acquire/block_sequencer.h"
+#include "acquire/box_backlog.h"
 #include "acquire/serial_line.h"
 
 namespace limbwave::acquire {
@@ -45,11 +44,10 @@ struct DriverBox::Impl {
   std::thread thread;
   std::atomic<bool> stopping{false}, is_connected{false};
 
+  std::unique_ptr<BoxBacklog> backlog;  // for the consumer
+
   mutable std::mutex mutex;  // of everything below
-  std::condition_variable arrived;
   BoxHello hello;
-  BoxPart ready;
-  std::size_t backlog = 0;  // bytes in `ready`
   BoxCounters shared_counters;
   BoxStatus last_status;
 
@@ -61,10 +59,6 @@ struct DriverBox::Impl {
   bool running = false;     // blocks that come belong to this run
   bool stalled = false;
   std::uint64_t reconnects = 0, stalls = 0, impossible = 0;
-  std::int64_t published = 0;  // frames
-  // What a consumer that is late does not get.
-  std::int64_t late = 0;
-  std::uint64_t late_frames = 0, late_gaps = 0;
 
   [[nodiscard]] BoxHello known() const {
     const std::lock_guard lock(mutex);
@@ -177,72 +171,21 @@ struct DriverBox::Impl {
   }
 
   void event(const std::string& kind, const std::string& text, std::int64_t count = 0) {
-    const std::lock_guard lock(mutex);
-    ready.events.push_back({sequencer->position(), kind, text, count});
-  }
-
-  void hand_over(BoxPiece piece) {
-    backlog += piece.bytes.size();
-    if (piece.lost == 0 && !ready.pieces.empty()) {
-      auto& bytes = ready.pieces.back().bytes;
-      bytes.insert(bytes.end(), piece.bytes.begin(), piece.bytes.end());
-    } else {
-      ready.pieces.push_back(std::move(piece));
-    }
-  }
-
-  // What the consumer did not take in time becomes one gap once it takes again.
-  void close_late() {
-    if (late == 0) {
-      return;
-    }
-    ready.events.push_back({SampleIndex{published}, "dropped",
-                            fmt::format("{} samples were lost because the disk was too slow", late), late});
-    hand_over({late, {}});
-    published += late;
-    late_frames += static_cast<std::uint64_t>(late);
-    ++late_gaps;
-    late = 0;
+    backlog->push({{}, {{sequencer->position(), kind, text, count}}});
   }
 
   // Hands what is in order to the consumer.
   void publish(bool last = false) {
     std::vector<BoxPiece> pieces = sequencer->take_pieces();
-    std::vector<BoxEvent> events = sequencer->take_events();
+    backlog->push({std::move(pieces), sequencer->take_events()}, last);
+    BoxCounters counters = sequencer->counters();
+    counters.bad_packets = parser.bad_packets() + impossible;
+    counters.skipped_bytes = parser.skipped_bytes();
+    counters.reconnects = reconnects;
+    counters.stalls = stalls;
+    backlog->add_to(counters);
     const std::lock_guard lock(mutex);
-    const std::size_t frame = 2 * static_cast<std::size_t>(hello.wires);
-    const auto most = static_cast<std::size_t>(settings.backlog_s * static_cast<double>(hello.rate_hz)) * frame;
-    ready.events.insert(ready.events.end(), events.begin(), events.end());
-    if (late > 0 && (last || backlog <= most / 2)) {
-      close_late();
-    }
-    for (BoxPiece& piece : pieces) {
-      const auto frames = static_cast<std::int64_t>(piece.bytes.size() / frame);
-      if (late > 0 || backlog + piece.bytes.size() > most) {
-        if (piece.lost > 0) {  // told as a gap of its own already
-          close_late();
-          published += piece.lost;
-          hand_over({piece.lost, {}});
-        }
-        late += frames;
-        continue;
-      }
-      published += piece.lost + frames;
-      hand_over(std::move(piece));
-    }
-    if (last) {
-      close_late();
-    }
-    shared_counters = sequencer->counters();
-    shared_counters.bad_packets = parser.bad_packets() + impossible;
-    shared_counters.skipped_bytes = parser.skipped_bytes();
-    shared_counters.reconnects = reconnects;
-    shared_counters.stalls = stalls;
-    shared_counters.lost_frames += late_frames;
-    shared_counters.gaps += late_gaps;
-    if (!ready.pieces.empty() || !ready.events.empty()) {
-      arrived.notify_one();
-    }
+    shared_counters = counters;
   }
 
   // The box was off or has forgotten its run: how long is known by our own clock alone. Slots keep their places.
@@ -368,6 +311,9 @@ Result<std::unique_ptr<DriverBox>> DriverBox::open(const std::string& port, cons
   }
   impl->hello = *hello;
   impl->sequencer = std::make_unique<BlockSequencer>(hello->wires);
+  const std::size_t frame = 2 * static_cast<std::size_t>(hello->wires);
+  impl->backlog = std::make_unique<BoxBacklog>(
+      static_cast<std::size_t>(settings.backlog_s * static_cast<double>(hello->rate_hz)) * frame, frame);
   impl->is_connected = true;
   return std::unique_ptr<DriverBox>(new DriverBox(std::move(impl)));
 }
@@ -427,11 +373,7 @@ void DriverBox::stop() {
 }
 
 BoxPart DriverBox::pull(double timeout_s) {
-  std::unique_lock lock(impl_->mutex);
-  impl_->arrived.wait_for(lock, std::chrono::duration<double>(timeout_s),
-                          [&] { return !impl_->ready.pieces.empty() || !impl_->ready.events.empty(); });
-  impl_->backlog = 0;
-  return std::exchange(impl_->ready, {});
+  return impl_->backlog->pull(timeout_s);
 }
 
 BoxCounters DriverBox::counters() const {

@@ -6,13 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <thread>
 #include <utility>
 
+#include "acquire/card_plan.h"
 #include "acquire/card_sync.h"
 #include "acquire/duplex_stream.h"
 
@@ -109,7 +109,7 @@ class CardBox : public BoxSource {
 
   void stop() override {
     running_ = false;
-    stream_.reset();
+    DuplexStream::retire(std::move(stream_));
   }
 
   BoxPart pull(double timeout_s) override;
@@ -119,7 +119,7 @@ class CardBox : public BoxSource {
   [[nodiscard]] std::int64_t round() const {
     return std::int64_t{settings_.slot_samples} * static_cast<std::int64_t>(schedule_.size());
   }
-  [[nodiscard]] DuplexPlan plan(bool marked) const;
+  [[nodiscard]] DuplexPlan plan(bool marked) const { return card_plan(settings_, schedule_, marked); }
   void begin_search() {
     found_ = false;
     search_since_s_ = now_s();
@@ -153,33 +153,6 @@ class CardBox : public BoxSource {
   double search_since_s_ = 0.0, last_sample_s_ = 0.0, lost_at_s_ = 0.0, next_try_s_ = 0.0;
   std::optional<DuplexStream::Loss> loss_;
 };
-
-DuplexPlan CardBox::plan(bool marked) const {
-  DuplexPlan plan;
-  plan.rate_hz = settings_.rate_hz;
-  plan.inputs = settings_.wires + (marked ? 1 : 0);
-  plan.outputs = settings_.sources + (marked ? 1 : 0);
-  plan.round = round();
-  plan.backlog_s = settings_.backlog_s;
-  plan.samples.assign(static_cast<std::size_t>(plan.outputs), std::vector<float>(static_cast<std::size_t>(plan.round)));
-  const auto pulse = static_cast<std::int64_t>(settings_.pulse_cycles / settings_.pulse_hz * settings_.rate_hz);
-  for (std::size_t slot = 0; slot < schedule_.size(); ++slot) {
-    if (schedule_[slot] >= settings_.sources) {
-      continue;
-    }
-    auto& channel = plan.samples[schedule_[slot]];
-    const std::size_t first = slot * static_cast<std::size_t>(settings_.slot_samples);
-    for (std::int64_t n = 0; n < std::min<std::int64_t>(pulse, settings_.slot_samples); ++n) {
-      const double turns = settings_.pulse_hz / settings_.rate_hz * static_cast<double>(n);
-      channel[first + static_cast<std::size_t>(n)] =
-          settings_.level * static_cast<float>(std::cos(2.0 * std::numbers::pi * turns));
-    }
-  }
-  for (std::int64_t n = 0; marked && n < std::min<std::int64_t>(kMarkSamples, plan.round); ++n) {
-    plan.samples.back()[static_cast<std::size_t>(n)] = settings_.level * mark_sample(n);
-  }
-  return plan;
-}
 
 void CardBox::lose(BoxPart& part, std::int64_t frames, const std::string& why) {
   if (frames <= 0) {
@@ -323,7 +296,7 @@ void CardBox::reopen(BoxPart& part) {
     next_try_s_ = lost_at_s_ + kReopen;
     part.events.push_back(
         {SampleIndex{position_}, "line-lost", "the sound card does not answer any more; waiting for it", 0});
-    stream_.reset();
+    DuplexStream::retire(std::move(stream_));
   }
   if (now_s() < next_try_s_) {
     return;

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include "acquire/sound_card.h"
@@ -37,6 +38,17 @@ DuplexStream::~DuplexStream() {
   if (stream_ != nullptr) {
     Pa_CloseStream(stream_);
   }
+}
+
+void DuplexStream::retire(std::unique_ptr<DuplexStream> stream) {
+  if (stream == nullptr || stream->alive() || !stream->running_) {
+    return;  // goes at once
+  }
+  std::thread([gone = std::move(stream)]() mutable {
+    Pa_AbortStream(gone->stream_);  // without the lock, which others need meanwhile
+    gone->running_ = false;
+    gone.reset();
+  }).detach();
 }
 
 Result<std::unique_ptr<DuplexStream>> DuplexStream::open(const std::string& id, DuplexPlan plan,

@@ -31,6 +31,9 @@ class DuplexStream {
   /// Opens a device by its id; `client` names us to JACK.
   static Result<std::unique_ptr<DuplexStream>> open(const std::string& id, DuplexPlan plan, const std::string& client);
   ~DuplexStream();
+  /// Ends a stream. One whose device is gone is ended beside everything else, on a thread of its own: JACK lets whoever
+  /// stops a stream of a server that is gone wait for ten minutes.
+  static void retire(std::unique_ptr<DuplexStream> stream);
   DuplexStream(const DuplexStream&) = delete;
   DuplexStream& operator=(const DuplexStream&) = delete;
 

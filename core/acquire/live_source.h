@@ -57,6 +57,10 @@ class LiveSource {
   /// Monotonic clock time (std::chrono::steady_clock, seconds) at which the newest frame so far was captured by the
   /// driver; 0 before the first. Told before the frame can be pulled, so that what has been pulled is never newer.
   [[nodiscard]] virtual double newest_frame_time_s() const = 0;
+  /// Tells whoever wears the sensors what is asked for now, as the program's screen tells a person: the name of a
+  /// stretch of calibration ("range", "pose:GROUP:first"), or nothing. A real device has no ears; a simulated wearer
+  /// has.
+  virtual void ask(const std::string& /*what*/) {}
 };
 
 }  // namespace limbwave::acquire

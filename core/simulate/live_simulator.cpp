@@ -78,8 +78,20 @@ class LiveSimulator : public acquire::LiveSource {
   [[nodiscard]] bool alive() const override { return true; }
   [[nodiscard]] double device_latency_s() const override { return kBlockSeconds; }
   [[nodiscard]] double newest_frame_time_s() const override { return newest_.load(std::memory_order_acquire); }
+  void ask(const std::string& what) override {
+    const std::lock_guard lock(asked_mutex_);
+    asked_ = what;
+  }
 
  private:
+  // The wearer hears what is asked between two blocks.
+  void listen() {
+    if (simulation_->obliging) {
+      const std::lock_guard lock(asked_mutex_);
+      const LineInStream& stream = *simulation_->stream;
+      simulation_->obliging->ask(asked_, stream.real_time(static_cast<double>(stream.position())));
+    }
+  }
   void run() {
     const auto block_frames = static_cast<std::size_t>(std::ceil(kBlockSeconds * format_.rate.hz));
     std::vector<std::byte> block(block_frames * format_.bytes_per_frame());
@@ -89,6 +101,7 @@ class LiveSimulator : public acquire::LiveSource {
     std::unique_lock lock(mutex_);
     while (!stopping_) {
       lock.unlock();
+      listen();
       simulation_->stream->read(block);
       simulation_->stream->take_cycle_starts();
       made += static_cast<double>(block_frames);
@@ -118,6 +131,8 @@ class LiveSimulator : public acquire::LiveSource {
   std::mutex mutex_;  // of stopping_ alone: the consumer never takes it
   std::condition_variable wake_;
   bool stopping_ = false;
+  std::mutex asked_mutex_;
+  std::string asked_;
   std::atomic<std::uint64_t> overflows_{0}, dropped_{0};
   std::atomic<std::int64_t> lost_at_{0};
   std::atomic<double> newest_{0.0};

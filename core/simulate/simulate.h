@@ -35,6 +35,8 @@ struct SimulateSettings {
   double seconds = 0.0;  ///< 0 = the motion's own length.
   acquire::StreamFormat format{SampleRate{48000.0}, 2, acquire::SampleType::kInt16};
   bool prologue = true;  ///< Start with the range and limb calibration, as segments of the take.
+  /// Of the live simulator: its wearer does what the source is asked for (LiveSource::ask), then goes on.
+  bool obliging = false;
 };
 
 std::vector<std::string> builtin_motions();

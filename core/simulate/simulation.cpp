@@ -23,8 +23,9 @@ void SensorVoltages::begin_slot() {
 
 double SensorVoltages::volts(int sensor, int axis, double time_s) {
   if (sensor != last_sensor_ || time_s != last_time_) {
-    last_reading_ =
-        wearer_->sensors()[static_cast<std::size_t>(sensor)].reading_g(wearer_->specific_force(sensor, time_s));
+    const Vector3d force =
+        obliging_ ? obliging_->specific_force(sensor, time_s) : wearer_->specific_force(sensor, time_s);
+    last_reading_ = wearer_->sensors()[static_cast<std::size_t>(sensor)].reading_g(force);
     last_sensor_ = sensor;
     last_time_ = time_s;
   }
@@ -72,6 +73,20 @@ Result<std::unique_ptr<Simulation>> make_simulation(const SimulateSettings& sett
   simulation->rig = simulated_rig(*rig, settings.seed);
   simulation->voltages =
       std::make_unique<SensorVoltages>(simulation->wearer, rig->line_in, settings.errors, settings.seed);
+  if (settings.obliging) {
+    SimulateSettings asked = settings;
+    asked.prologue = false;
+    asked.seconds = 0.0;
+    asked.motion = "poses";
+    const auto poses = Wearer::create(asked, *rig, *skeleton);
+    asked.motion = "range";
+    const auto range = Wearer::create(asked, *rig, *skeleton);
+    if (!poses || !range) {
+      return poses ? range.error() : poses.error();
+    }
+    simulation->obliging = std::make_shared<ObligingWearer>(simulation->wearer, *poses, *range);
+    simulation->voltages->follow(simulation->obliging);
+  }
   simulation->stream = std::make_unique<LineInStream>(rig->line_in, settings.errors, settings.format, settings.seed,
                                                       *simulation->voltages);
   return simulation;

@@ -6,6 +6,7 @@
 #include "body/rig.h"
 #include "body/skeleton.h"
 #include "simulate/electronics.h"
+#include "simulate/obliging_wearer.h"
 #include "simulate/simulate.h"
 #include "simulate/wearer.h"
 
@@ -18,9 +19,12 @@ class SensorVoltages : public SlotVoltages {
                  std::uint64_t seed);
   void begin_slot() override;
   double volts(int sensor, int axis, double time_s) override;
+  /// From now on readings are this one's, who is the same person with the same sensors.
+  void follow(std::shared_ptr<const ObligingWearer> wearer) { obliging_ = std::move(wearer); }
 
  private:
   std::shared_ptr<const Wearer> wearer_;
+  std::shared_ptr<const ObligingWearer> obliging_;
   body::LineInSignal board_;
   double noise_g_, limit_g_;
   Random random_;
@@ -36,6 +40,7 @@ struct Simulation {
   body::Rig rig;  ///< With the simulated sensors' serials.
   body::Skeleton skeleton;
   std::shared_ptr<const Wearer> wearer;
+  std::shared_ptr<ObligingWearer> obliging;  ///< Null where nobody listens.
   std::unique_ptr<SensorVoltages> voltages;
   std::unique_ptr<LineInStream> stream;
 };

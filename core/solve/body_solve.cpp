@@ -15,6 +15,7 @@
 #include "estimate/exact_rig.h"
 #include "estimate/sensor_mixup.h"
 #include "solve/driver_box.h"
+#include "solve/word_alignment.h"
 #include "take/body_log.h"
 
 namespace limbwave::solve {
@@ -309,7 +310,7 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
 }
 
 Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
-                                                   const Progress& progress, bool by_past) {
+                                                   const Progress& progress, bool by_past, bool align) {
   const body::Rig& rig = take.info.rig;
   std::vector<int> board_of_chip;
   for (const body::Gyroscope& gyroscope : rig.gyroscopes) {
@@ -324,6 +325,7 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
     source_of.push_back(model.find_source(source.name));
   }
   estimate::BodyReadings readings;
+  WordAligner aligner(model, rig.driver_box->word_rate_hz);
   const auto keep = [&](std::span<const decode::RangeReading> ranges,
                         std::span<const decode::InertialReading> inertial) -> Status {
     for (const decode::RangeReading& heard : ranges) {
@@ -333,12 +335,15 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
                                    heard.confidence(), heard.variance});
       }
     }
+    std::vector<estimate::InertialReading> words;
     for (const decode::InertialReading& word : inertial) {
       if (word.valid) {
-        readings.inertial.push_back(
+        words.push_back(
             {word.time.value, board_of_chip.at(static_cast<std::size_t>(word.board)), word.w_WS_S, word.f_S});
       }
     }
+    words = align ? aligner.push(words) : std::move(words);
+    readings.inertial.insert(readings.inertial.end(), words.begin(), words.end());
     return {};
   };
   decode::DriverBoxParameters parameters;
@@ -357,8 +362,9 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
 Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& settings, const Progress& progress) {
   const estimate::BodyModel model = estimate::body_model(take.info.rig, take.info.skeleton);
   Result<estimate::BodyReadings> readings =
-      take.info.kind == "driver-box" ? driver_box_readings(take, model, progress.part(0.0, 0.5), settings.by_past)
-                                     : take::read_logs_of(take, model);
+      take.info.kind == "driver-box"
+          ? driver_box_readings(take, model, progress.part(0.0, 0.5), settings.by_past, settings.align_words)
+          : take::read_logs_of(take, model);
   if (!readings) {
     return readings.error();
   }

@@ -21,6 +21,8 @@ struct BodySolveSettings {
   std::string save_state = {};  ///< File to save the last state to; empty: none.
   /// Ranges are judged by what came before them alone, as live; offline what comes after helps.
   bool by_past = false;
+  /// Words of a driver box's boards are read at common instants (solve/word_alignment.h): ten times as fast.
+  bool align_words = true;
   bool optimise = false;  ///< With `smooth`: rounds of it, each linearised about the one before (estimate/body_batch.h).
   bool tune = false;      ///< Noises are found from the take's first seconds (estimate/body_tuning.h).
 };
@@ -39,8 +41,8 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
 Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& settings, const Progress& progress);
 
 /// What a driver box heard, for the filter: words whose values are known, and ranges that were accepted. Memory grows
-/// with the take: about 0.2 kB a word. `progress` is asked to 1.
+/// with the take: about 0.2 kB a word. `align`: at common instants. `progress` is asked to 1.
 Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
-                                                   const Progress& progress, bool by_past = false);
+                                                   const Progress& progress, bool by_past = false, bool align = true);
 
 }  // namespace limbwave::solve

@@ -115,6 +115,10 @@ bool LiveSession::write_event(const take::TakeEvent& event) {
   return true;
 }
 
+void LiveSession::ask(const std::string& what) {
+  worker_->source->ask(what);
+}
+
 void LiveSession::set_calibration(const calibrate::RigCalibration& calibration) {
   const std::scoped_lock lock(worker_->mutex);
   worker_->new_calibration = calibration;

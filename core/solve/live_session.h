@@ -21,6 +21,8 @@
 
 namespace limbwave::solve {
 
+struct LiveBodySnapshot;
+
 /// What a face shows. Vectors hold the most recent part only.
 struct LiveSnapshot {
   std::uint64_t version = 0;   ///< Changes whenever anything else does.
@@ -49,6 +51,9 @@ struct LiveSnapshot {
   double latency_mean_s = 0.0, latency_max_s = 0.0;  ///< Of its total.
   double device_latency_s = 0.0;                     ///< What the device says of its own buffer.
   bool preferred = false;                            ///< The worker runs before ordinary threads.
+  /// Of a driver box (solve/live_body_session.h): what there is beyond the above; null: it is none. `line`, `scope`,
+  /// `frames` and `specific_force` are a sound card's.
+  std::shared_ptr<const LiveBodySnapshot> box;
 };
 
 /// The newest pose, handed over as soon as it is there.
@@ -88,6 +93,9 @@ class LiveSession {
   /// Writes a line of the recording's events: another state of a marker, or its removal (take/markers.h). False when
   /// nothing is recorded.
   bool write_event(const take::TakeEvent& event);
+
+  /// As LiveSource::ask.
+  void ask(const std::string& what);
 
   /// Takes effect from the next frame on.
   void set_calibration(const calibrate::RigCalibration& calibration);

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <vector>
-
-#include "take/recorder.h"
+#include <span>
 
 namespace limbwave::take {
 namespace {
@@ -16,19 +14,9 @@ constexpr double kWait = 0.05;           // seconds
 constexpr double kLowBattery = 6.4;      // volts of two lithium cells
 constexpr std::int64_t kSilence = 4096;  // frames that are written at a time where samples were lost
 
-Status write_piece(Recorder& out, const acquire::BoxPiece& piece, std::size_t frame_bytes) {
-  std::vector<std::byte> silence;
-  for (std::int64_t left = piece.lost; left > 0; left -= kSilence) {
-    silence.resize(static_cast<std::size_t>(std::min(left, kSilence)) * frame_bytes);
-    if (Status written = out.write(silence); !written) {
-      return written;
-    }
-  }
-  return piece.bytes.empty() ? Status() : out.write(piece.bytes);
-}
+}  // namespace
 
-// The box agrees with what the rig says about it.
-Status check(const body::Rig& rig, const acquire::BoxHello& hello) {
+Status box_fits(const body::Rig& rig, const acquire::BoxHello& hello) {
   if (!rig.driver_box) {
     return Error{"has no driver box", "rig \"" + rig.name + "\"", "use driver-box-body or another with a driver box"};
   }
@@ -45,8 +33,6 @@ Status check(const body::Rig& rig, const acquire::BoxHello& hello) {
   return {};
 }
 
-}  // namespace
-
 body::Rig rig_at_rate(body::Rig rig, double rate_hz) {
   if (rig.driver_box) {
     rig.driver_box->slot_samples =
@@ -56,19 +42,21 @@ body::Rig rig_at_rate(body::Rig rig, double rate_hz) {
   return rig;
 }
 
-Result<Take> record_driver_box(const std::filesystem::path& folder, acquire::BoxSource& box, const body::Rig& rig,
-                               const body::Skeleton& skeleton, const std::string& subject,
-                               const calibrate::RangingCalibration& ranging,
-                               const std::function<bool(const DriverBoxProgress&)>& go_on) {
-  const acquire::BoxHello hello = box.hello();
-  if (Status fits = check(rig, hello); !fits) {
-    return fits.error();
-  }
-  // Decoders take the sources in the rig's order.
+std::vector<std::uint8_t> rig_schedule(const body::Rig& rig) {
   std::vector<std::uint8_t> schedule(rig.sources.size());
   std::iota(schedule.begin(), schedule.end(), std::uint8_t{0});
-  if (Status told = schedule.empty() ? Status() : box.set_schedule(schedule); !told) {
-    return told.error();
+  return schedule;
+}
+
+BoxRecording::BoxRecording() = default;
+BoxRecording::~BoxRecording() = default;
+
+Result<std::unique_ptr<BoxRecording>> BoxRecording::create(const std::filesystem::path& folder,
+                                                           const acquire::BoxSource& box, const body::Rig& rig,
+                                                           const body::Skeleton& skeleton, const std::string& subject,
+                                                           const calibrate::RangingCalibration& ranging) {
+  if (Status fits = box_fits(rig, box.hello()); !fits) {
+    return fits.error();
   }
   TakeInfo info;
   info.kind = "driver-box";
@@ -78,50 +66,133 @@ Result<Take> record_driver_box(const std::filesystem::path& folder, acquire::Box
   info.rig = rig;
   info.skeleton = skeleton;
   info.ranging = ranging;
+  std::unique_ptr<BoxRecording> recording(new BoxRecording);
+  recording->frame_bytes_ = info.format.bytes_per_frame();
+  recording->round_ = std::int64_t{rig.driver_box->slot_samples} *
+                      std::max<std::int64_t>(1, static_cast<std::int64_t>(rig.sources.size()));
   auto recorder = Recorder::create(folder, std::move(info));
   if (!recorder) {
     return recorder.error();
   }
-  Recorder& out = **recorder;
-  const std::size_t frame_bytes = box.format().bytes_per_frame();
+  recording->out_ = *std::move(recorder);
+  return recording;
+}
+
+void BoxRecording::begin_at(SampleIndex position) {
+  position_ = position.value;
+  first_ = (position_ + round_ - 1) / round_ * round_;
+}
+
+Status BoxRecording::write_piece(const acquire::BoxPiece& piece) {
+  const std::int64_t lost_end = position_ + piece.lost;
+  std::vector<std::byte> silence;
+  for (std::int64_t left = lost_end - std::max(position_, first_); left > 0; left -= kSilence) {
+    silence.resize(static_cast<std::size_t>(std::min(left, kSilence)) * frame_bytes_);
+    if (Status written = out_->write(silence); !written) {
+      return written;
+    }
+  }
+  const auto frames = static_cast<std::int64_t>(piece.bytes.size() / frame_bytes_);
+  const std::int64_t skip = std::clamp<std::int64_t>(first_ - lost_end, 0, frames);
+  position_ = lost_end + frames;
+  const auto bytes = std::span(piece.bytes).subspan(static_cast<std::size_t>(skip) * frame_bytes_);
+  return bytes.empty() ? Status() : out_->write(bytes);
+}
+
+Status BoxRecording::write_event(const acquire::BoxEvent& event) {
+  // Of a gap that was there before the take began the take has the rest.
+  const std::int64_t before = std::max<std::int64_t>(0, first_ - event.sample.value);
+  const bool gap = event.kind == "dropped";
+  if (before > 0 && (!gap || before >= event.count)) {
+    return {};
+  }
+  return out_->add_event({SampleIndex{event.sample.value + before - first_}, event.kind, event.text,
+                          gap ? event.count - before : event.count});
+}
+
+Status BoxRecording::take_in(const acquire::BoxPart& part) {
+  // Events first: a crash then leaves a gap that is told rather than zeros that are not.
+  for (const acquire::BoxEvent& event : part.events) {
+    if (Status written = write_event(event); !written) {
+      return written;
+    }
+  }
+  for (const acquire::BoxPiece& piece : part.pieces) {
+    if (Status written = write_piece(piece); !written) {
+      return written;
+    }
+  }
+  return {};
+}
+
+void BoxRecording::note(const acquire::BoxStatus& status) {
+  if (!low_told_ && status.sample > 0 && status.battery_volts < kLowBattery) {
+    low_told_ = true;
+    (void)out_->add_event({SampleIndex{out_->frames()}, "battery",
+                           fmt::format("the box's battery is down to {:.1f} V", status.battery_volts), 0});
+  }
+}
+
+Status BoxRecording::add_event(const TakeEvent& event) {
+  return out_->add_event(event);
+}
+
+std::int64_t BoxRecording::frames() const {
+  return out_->frames();
+}
+
+double BoxRecording::seconds() const {
+  return out_->seconds();
+}
+
+double BoxRecording::disk_left_s() const {
+  return out_->disk_left_s();
+}
+
+Result<Take> BoxRecording::close() {
+  return out_->close();
+}
+
+void BoxRecording::discard() {
+  out_->discard();
+}
+
+Result<Take> record_driver_box(const std::filesystem::path& folder, acquire::BoxSource& box, const body::Rig& rig,
+                               const body::Skeleton& skeleton, const std::string& subject,
+                               const calibrate::RangingCalibration& ranging,
+                               const std::function<bool(const DriverBoxProgress&)>& go_on) {
+  if (Status fits = box_fits(rig, box.hello()); !fits) {
+    return fits.error();
+  }
+  if (Status told = rig.sources.empty() ? Status() : box.set_schedule(rig_schedule(rig)); !told) {
+    return told.error();
+  }
+  auto created = BoxRecording::create(folder, box, rig, skeleton, subject, ranging);
+  if (!created) {
+    return created.error();
+  }
+  BoxRecording& out = **created;
   if (Status started = box.start(); !started) {
     out.discard();
     return started.error();
   }
   DriverBoxProgress progress;
-  bool low_told = false;
   Status written;
-  const auto take_in = [&](double wait_s) {
-    const acquire::BoxPart part = box.pull(wait_s);
-    // Events first: a crash then leaves a gap that is told rather than zeros that are not.
-    for (const acquire::BoxEvent& event : part.events) {
-      if (Status added = out.add_event({event.sample, event.kind, event.text, event.count}); !added) {
-        written = added;
-      }
-    }
-    for (auto piece = part.pieces.begin(); written && piece != part.pieces.end(); ++piece) {
-      written = write_piece(out, *piece, frame_bytes);
-    }
-  };
   while (written) {
     progress.seconds = out.seconds();
     progress.disk_left_s = out.disk_left_s();
     progress.connected = box.connected();
     progress.counters = box.counters();
     progress.status = box.status();
-    if (!low_told && progress.status.sample > 0 && progress.status.battery_volts < kLowBattery) {
-      low_told = true;
-      (void)out.add_event({SampleIndex{out.frames()}, "battery",
-                           fmt::format("the box's battery is down to {:.1f} V", progress.status.battery_volts), 0});
-    }
+    out.note(progress.status);
     if (!go_on(progress)) {
       break;
     }
-    take_in(kWait);
+    written = out.take_in(box.pull(kWait));
   }
   box.stop();
   if (written) {
-    take_in(0.0);
+    written = out.take_in(box.pull(0.0));
   }
   Result<Take> take = out.close();
   if (!written && take) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "support/jack_server.h"
+#include "support/jack_witness.h"
 
 namespace limbwave::acquire {
 namespace {
@@ -137,6 +138,8 @@ class DriverBoxCard : public testing::Test {
       GTEST_SKIP() << why_not;
     }
     server_ = std::make_unique<test::JackServer>(192000, 20, 20, 8192);
+    witness_ = std::make_unique<test::JackWitness>(kPatience);
+    ASSERT_TRUE(witness_->answers()) << server_->log();
     settings_.client = "box";
     settings_.patience_s = 12.0;
   }
@@ -148,9 +151,10 @@ class DriverBoxCard : public testing::Test {
       opened = open_card_box("portaudio:JACK:system", settings_);
       std::this_thread::sleep_for(milliseconds(100));
     }
-    if (!opened) {
-      GTEST_SKIP() << "the sound server does not keep time on this machine now: " << opened.error().text();
+    if (!opened && lost_periods() > 0) {
+      GTEST_SKIP() << "the sound server has lost " << lost_periods() << " periods: " << opened.error().text();
     }
+    ASSERT_TRUE(opened.ok()) << opened.error().text() << server_->log();
     box_ = *std::move(opened);
     room_ = std::make_unique<Room>(with_mark);
     ASSERT_TRUE(room_->open());
@@ -160,15 +164,21 @@ class DriverBoxCard : public testing::Test {
       std::this_thread::sleep_for(milliseconds(20));
     }
   }
+  // By the server's own account: a machine that is too busy to keep time loses some, and nothing else may.
+  [[nodiscard]] int lost_periods() const { return witness_->lost_periods(); }
   void listen(Heard& heard, std::int64_t frames) {
     const auto limit = steady_clock::now() + kPatience;
     while (heard.frames() < frames && steady_clock::now() < limit) {
       pull(*box_, heard);
     }
+    if (heard.frames() < frames && lost_periods() > 0) {
+      GTEST_SKIP() << "the sound server has lost " << lost_periods() << " periods";
+    }
     ASSERT_GE(heard.frames(), frames);
   }
 
   std::unique_ptr<test::JackServer> server_;
+  std::unique_ptr<test::JackWitness> witness_;
   CardBoxSettings settings_;
   std::unique_ptr<BoxSource> box_;
   std::unique_ptr<Room> room_;
@@ -213,18 +223,23 @@ TEST_F(DriverBoxCard, SourcesAndMicrophonesStayTogetherToTheSample) {
   }
   Heard heard;
   listen(heard, 3 * 192000);
+  if (IsSkipped() || HasFatalFailure()) {
+    return;
+  }
   EXPECT_EQ(box_->format().type, SampleType::kFloat32);
   EXPECT_EQ(box_->format().channels, kWires);
   EXPECT_EQ(box_->hello().slot_samples, settings_.slot_samples);
-  for (const BoxEvent& event : heard.events) {
-    if (event.kind == "no-mark") {
-      GTEST_SKIP() << "the sound server loses periods faster than marks come: the machine is too busy";
-    }
+  const bool marked = std::none_of(heard.events.begin(), heard.events.end(),
+                                   [](const BoxEvent& event) { return event.kind == "no-mark"; });
+  if (!marked && lost_periods() > 0) {
+    GTEST_SKIP() << "the sound server has lost " << lost_periods() << " periods, and marks with them";
   }
+  ASSERT_TRUE(marked) << "no mark is heard though the server has lost nothing";
   const Slots slots = look(heard, schedule, settings_.slot_samples);
   EXPECT_EQ(slots.wrong, 0);
-  std::printf("%d pulses right, %zu events\n", slots.right, heard.events.size());
-  if (heard.events.empty()) {
+  std::printf("%d pulses right, %zu events, %d periods lost\n", slots.right, heard.events.size(), lost_periods());
+  if (lost_periods() == 0) {
+    EXPECT_TRUE(heard.events.empty()) << heard.events.front().kind << ": " << heard.events.front().text;
     EXPECT_GT(slots.right, 5000);
   }
   box_->stop();
@@ -238,9 +253,13 @@ TEST_F(DriverBoxCard, AScheduleWithSilenceIsPlayedAsItIs) {
   }
   Heard heard;
   listen(heard, 192000);
+  if (IsSkipped() || HasFatalFailure()) {
+    return;
+  }
   const Slots slots = look(heard, schedule, settings_.slot_samples);
   EXPECT_EQ(slots.wrong, 0);
-  if (heard.events.empty()) {
+  if (lost_periods() == 0) {
+    EXPECT_TRUE(heard.events.empty()) << heard.events.front().kind << ": " << heard.events.front().text;
     EXPECT_GT(slots.silent, 100);
     EXPECT_GT(slots.right, 500);
   }
@@ -258,6 +277,9 @@ TEST_F(DriverBoxCard, WithoutAMarkItSaysSo) {
   }
   Heard heard;
   listen(heard, 96000);
+  if (IsSkipped() || HasFatalFailure()) {
+    return;
+  }
   EXPECT_TRUE(std::any_of(heard.events.begin(), heard.events.end(),
                           [](const BoxEvent& event) { return event.kind == "no-mark"; }));
 }

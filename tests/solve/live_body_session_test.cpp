@@ -102,7 +102,7 @@ TEST(LiveBodySession, RecordsAndSolvesAndTheRecordingSolvesToTheSameBits) {
   EXPECT_EQ(last->skipped_s, 0.0);
   EXPECT_TRUE(last->error.empty()) << last->error;
   EXPECT_FALSE(last->running);
-  EXPECT_EQ(last->boards.size(), 18U);
+  EXPECT_EQ(last->wires.size(), 18U);
   EXPECT_EQ(last->pose.size(), settings.skeleton.segments.size());
   EXPECT_TRUE(last->root_sigma.norm() > 0.0);
   ASSERT_NE(session.figure(), nullptr);

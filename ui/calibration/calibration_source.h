@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "body/rig.h"
@@ -34,6 +35,8 @@ class CalibrationSource : public QObject {
   /// The raw samples of a calibration are kept as a take. False when that cannot be or something records already.
   virtual bool start_recording(const std::filesystem::path& folder, const QString& subject) = 0;
   virtual void stop_recording() = 0;
+  /// What the wizard asks for now: the name of a stretch, or nothing. For wearers who are simulated.
+  virtual void ask(const std::string& /*what*/) {}
   /// Time of the stream at which the recording began, seconds; the frames' own clock.
   [[nodiscard]] virtual double recording_start_s() const = 0;
 
@@ -62,6 +65,7 @@ class LiveCalibrationSource : public CalibrationSource {
   void set_calibration(const calibrate::RigCalibration& calibration) override;
   bool start_recording(const std::filesystem::path& folder, const QString& subject) override;
   void stop_recording() override;
+  void ask(const std::string& what) override { live_.ask(what); }
   [[nodiscard]] double recording_start_s() const override { return recording_start_s_; }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calibration/calibration_words.h"
+#include "solve/take_calibration.h"
 
 namespace limbwave::ui {
 namespace {
@@ -41,6 +42,8 @@ void LimbWizardModel::set_page(LimbPage page) {
   } else {
     timer_.stop();
   }
+  desk_.source().ask(in_pose() ? solve::pose_segment(target_.rig.groups.at(static_cast<std::size_t>(group_)), pose_)
+                               : std::string());
   Q_EMIT page_changed();
 }
 
@@ -203,6 +206,7 @@ void LimbWizardModel::cancel() {
   outcomes_.clear();
   checking_ = false;
   page_ = LimbPage::kChoose;
+  desk_.source().ask({});
   Q_EMIT left();
 }
 

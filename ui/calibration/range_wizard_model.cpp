@@ -61,6 +61,7 @@ RangeWizardModel::RangeWizardModel(CalibrationDesk& desk, QObject* parent) : Wiz
 
 void RangeWizardModel::set_page(RangePage page) {
   page_ = page;
+  desk_.source().ask(page == RangePage::kTurn ? "range" : "");
   Q_EMIT page_changed();
 }
 
@@ -171,6 +172,7 @@ void RangeWizardModel::cancel() {
   calibrators_.clear();
   outcomes_.clear();
   page_ = RangePage::kChoose;
+  desk_.source().ask({});
   Q_EMIT left();
 }
 

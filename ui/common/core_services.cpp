@@ -2,11 +2,14 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <filesystem>
 
+#include "acquire/box_ports.h"
 #include "acquire/channel_pair.h"
 #include "acquire/sound_card.h"
 #include "body/rig.h"
 #include "body/skeleton.h"
+#include "common/box_backend.h"
 #include "common/motion_names.h"
 #include "simulate/simulate.h"
 #include "solve/live_session.h"
@@ -23,6 +26,7 @@ struct CoreServices {
 };
 
 constexpr double kSimulatorRate = 48000.0;
+constexpr int kBoxWires = 18;  // of the shipped rig
 
 class SessionBackend : public LiveBackend {
  public:
@@ -36,6 +40,7 @@ class SessionBackend : public LiveBackend {
   Result<take::Take> stop_recording() override { return session_.stop_recording(); }
   std::optional<take::TakeEvent> mark(const std::string& text) override { return session_.mark(text); }
   bool write_event(const take::TakeEvent& event) override { return session_.write_event(event); }
+  void ask(const std::string& what) override { session_.ask(what); }
   void set_calibration(const calibrate::RigCalibration& calibration) override { session_.set_calibration(calibration); }
   void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) override {
     session_.set_headings(headings);
@@ -50,6 +55,23 @@ class SessionBackend : public LiveBackend {
 
 std::string simulator_title(const std::string& motion) {
   return CoreServices::tr("Simulator: %1").arg(motion_title(QString::fromStdString(motion))).toStdString();
+}
+
+/// In the user's language; the core's own titles are English.
+std::string box_title(const acquire::DeviceInfo& box, const std::vector<acquire::DeviceInfo>& cards) {
+  const std::string port = acquire::box_port(box.id);
+  for (const acquire::DeviceInfo& card : cards) {
+    if (card.id == port) {
+      return CoreServices::tr("%1 as a driver box").arg(QString::fromStdString(card.title)).toStdString();
+    }
+  }
+  const std::filesystem::path path(port);
+  if (path.parent_path() == acquire::emulator_folder()) {
+    return CoreServices::tr("Driver box emulator %1")
+        .arg(QString::fromStdString(path.filename().string()))
+        .toStdString();
+  }
+  return CoreServices::tr("Driver box at %1").arg(QString::fromStdString(port)).toStdString();
 }
 
 /// The simulator's motions, the most telling first; still poses are for measuring and show nothing.
@@ -71,6 +93,13 @@ Result<std::vector<acquire::DeviceInfo>> list_all_devices() {
     return devices;
   }
   std::vector<acquire::DeviceInfo> all = std::move(devices).value();
+  std::vector<acquire::DeviceInfo> boxes = acquire::list_box_ports();
+  const std::vector<acquire::DeviceInfo> cards = acquire::cards_as_boxes(all, kBoxWires);
+  boxes.insert(boxes.end(), cards.begin(), cards.end());
+  for (acquire::DeviceInfo& box : boxes) {
+    box.title = box_title(box, all);
+  }
+  all.insert(all.end(), boxes.begin(), boxes.end());
   for (const std::string& motion : demo_motions()) {
     acquire::DeviceInfo simulator;
     simulator.id = kSimulatorPrefix + motion;
@@ -146,6 +175,7 @@ Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& 
   settings->rig = rig;
   // The take's own calibration poses are for demo takes; a live device moves at once.
   settings->prologue = false;
+  settings->obliging = true;  // nobody else could do what wizards ask for
   if (setup.rate_hz > 0.0) {
     settings->format.rate.hz = setup.rate_hz;
   }
@@ -153,15 +183,16 @@ Result<std::unique_ptr<acquire::LiveSource>> open_any_device(const std::string& 
   return simulate::open_simulator(settings.value());
 }
 
-/// Shipped rigs for a sound card by title. One that cannot be read is named by its file, so that choosing it tells why.
+/// Shipped rigs for sound cards and driver boxes by title. One that cannot be read is named by its file, so that
+/// choosing it tells why.
 std::vector<RigChoice> list_rigs() {
   std::vector<RigChoice> rigs;
   for (const std::string& name : body::shipped_rigs()) {
     const auto rig = body::load_rig(name);
-    if (rig && !rig->has_line_in) {
-      continue;  // nothing that a sound card could capture
+    if (rig && !rig->has_line_in && !rig->driver_box) {
+      continue;  // nothing that could be captured
     }
-    rigs.push_back({name, rig && !rig->title.empty() ? rig->title : name});
+    rigs.push_back({name, rig && !rig->title.empty() ? rig->title : name, rig && !rig->has_line_in});
   }
   return rigs;
 }
@@ -194,6 +225,7 @@ StudioServices core_services() {
   services.make_live = [](std::unique_ptr<acquire::LiveSource> source, solve::LiveSettings settings) {
     return std::unique_ptr<LiveBackend>(std::make_unique<SessionBackend>(std::move(source), std::move(settings)));
   };
+  services.open_box = open_box_backend;
   services.demo_motions = demo_motions;
   services.list_rigs = list_rigs;
   services.load_rig = load_rig_for;

@@ -2,9 +2,9 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <mutex>
 
+#include "acquire/box_ports.h"
 #include "common/core_text.h"
 #include "common/format.h"
 
@@ -37,39 +37,6 @@ struct LiveModel::Bell {
   }
 };
 
-// One after the other, in the order of the tickets: many devices cannot be opened before they are closed.
-class LiveModel::Door {
- public:
-  /// In the GUI thread.
-  std::uint64_t ticket() { return issued_++; }
-  /// Waits until everybody before is through; leaves when it goes out of scope.
-  class Turn {
-   public:
-    Turn(std::shared_ptr<Door> door, std::uint64_t ticket) : door_(std::move(door)) {
-      std::unique_lock lock(door_->mutex_);
-      door_->moved_on_.wait(lock, [&] { return door_->serving_ == ticket; });
-    }
-    ~Turn() {
-      {
-        const std::scoped_lock lock(door_->mutex_);
-        ++door_->serving_;
-      }
-      door_->moved_on_.notify_all();
-    }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-
-   private:
-    std::shared_ptr<Door> door_;
-  };
-  std::atomic<std::uint64_t> newest{0};  // of the attempts to open: an older one need not begin any more
-
- private:
-  std::mutex mutex_;
-  std::condition_variable moved_on_;
-  std::uint64_t issued_ = 0, serving_ = 0;
-};
-
 namespace {
 
 /// What opening ends in.
@@ -90,7 +57,7 @@ LiveModel::LiveModel(const StudioServices& services, JobRunner& jobs, QObject* p
     : QObject(parent), services_(services), jobs_(jobs) {
   bell_ = std::make_shared<Bell>();
   bell_->model = this;
-  door_ = std::make_shared<Door>();
+  door_ = std::make_shared<DeviceDoor>();
   timer_.setInterval(33);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &LiveModel::poll);
@@ -138,10 +105,10 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
   set_state(LiveState::kOpening);
   const std::uint64_t attempt = ++opening_;
   door_->newest = attempt;
-  auto work = [open_device = services_.open_device, make_live = services_.make_live, load_rig = services_.load_rig,
-               id = device_id.toStdString(), rig, wearer = wearer_.toStdString(), setup, bell = bell_, door = door_,
-               ticket = door_->ticket(), attempt](const Progress&) -> Result<Opened> {
-    const Door::Turn turn(door, ticket);
+  auto work = [open_device = services_.open_device, open_box = services_.open_box, make_live = services_.make_live,
+               load_rig = services_.load_rig, id = device_id.toStdString(), rig, wearer = wearer_.toStdString(), setup,
+               bell = bell_, door = door_, ticket = door_->ticket(), attempt](const Progress&) -> Result<Opened> {
+    const DeviceDoor::Turn turn(door, ticket);
     if (door->newest != attempt) {
       return cancelled();
     }
@@ -149,12 +116,20 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
     if (!settings) {
       return settings.error();
     }
-    auto source = open_device(id, setup, rig);
-    if (!source) {
-      return source.error();
-    }
     Opened opened{nullptr, std::move(settings).value()};
-    opened.backend = make_live(std::move(source).value(), opened.settings);
+    if (open_box && id.starts_with(acquire::kBoxPrefix)) {
+      auto backend = open_box(id, setup, opened.settings);
+      if (!backend) {
+        return backend.error();
+      }
+      opened.backend = std::move(backend).value();
+    } else {
+      auto source = open_device(id, setup, rig);
+      if (!source) {
+        return source.error();
+      }
+      opened.backend = make_live(std::move(source).value(), opened.settings);
+    }
     opened.backend->on_figure([bell] { bell->ring(); });
     if (Status started = opened.backend->start(); !started) {
       return started.error();
@@ -188,7 +163,7 @@ bool LiveModel::open(const QString& device_id, const QString& device_title, cons
 void LiveModel::retire(std::shared_ptr<LiveBackend> backend) {
   jobs_.start(tr("Closing %1").arg(device_title_), nullptr,
               [backend = std::move(backend), door = door_, ticket = door_->ticket()](const Progress&) mutable {
-                const Door::Turn turn(door, ticket);
+                const DeviceDoor::Turn turn(door, ticket);
                 backend->stop();
                 backend.reset();
                 return Status();
@@ -328,6 +303,12 @@ std::optional<take::TakeEvent> LiveModel::mark(const QString& text) {
 
 bool LiveModel::write_event(const take::TakeEvent& event) {
   return backend_ && recording_ && backend_->write_event(event);
+}
+
+void LiveModel::ask(const std::string& what) {
+  if (backend_) {
+    backend_->ask(what);
+  }
 }
 
 void LiveModel::set_calibration(const calibrate::RigCalibration& calibration) {

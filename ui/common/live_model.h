@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "common/device_door.h"
 #include "common/job_runner.h"
 #include "common/studio_services.h"
 
@@ -62,6 +63,8 @@ class LiveModel : public QObject {
   std::optional<take::TakeEvent> mark(const QString& text);
   /// Writes a line of the recording's events; false when nothing is recorded.
   bool write_event(const take::TakeEvent& event);
+  /// A wizard asks for this; a simulated wearer does it.
+  void ask(const std::string& what);
   void set_calibration(const calibrate::RigCalibration& calibration);
   /// Somebody else wears the sensors: reads this person's mountings from the library in a job, a moment after the last
   /// call. A recording that starts before is told first. Ends in `calibration_changed`.
@@ -112,9 +115,8 @@ class LiveModel : public QObject {
   QString wanted_wearer_;  ///< Whose are to be.
   std::string rig_name_;   ///< As asked for when opening.
   QTimer timer_, wearer_timer_;
-  std::uint64_t opening_ = 0;  ///< Counts attempts, so that one that was overtaken is dropped.
-  class Door;
-  std::shared_ptr<Door> door_;  ///< Devices are opened and closed in the order in which that was asked for.
+  std::uint64_t opening_ = 0;         ///< Counts attempts, so that one that was overtaken is dropped.
+  std::shared_ptr<DeviceDoor> door_;  ///< Devices are opened and closed in the order in which that was asked for.
   solve::LatencyMeter drawn_;
   QElapsedTimer since_drawn_;
   double counted_from_s_ = 0.0;  ///< Before that a capture is still finding its feet: caches, first frames.

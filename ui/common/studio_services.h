@@ -30,6 +30,8 @@ class LiveBackend {
   virtual std::optional<take::TakeEvent> mark(const std::string& text) = 0;
   /// Another state of a marker; false when nothing is recorded.
   virtual bool write_event(const take::TakeEvent& event) = 0;
+  /// Tells a simulated wearer what a wizard asks for (acquire::LiveSource::ask).
+  virtual void ask(const std::string& /*what*/) {}
   virtual void set_calibration(const calibrate::RigCalibration& calibration) = 0;
   virtual void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) = 0;
   [[nodiscard]] virtual std::shared_ptr<const solve::LiveSnapshot> snapshot() const = 0;
@@ -44,13 +46,17 @@ struct DeviceSetup {
   double rate_hz = 0.0;                     ///< 0: the rate nearest to 48 kHz that it offers.
   std::optional<acquire::SampleType> type;  ///< Empty: its best one up to 24 bit.
   int left = 0, right = 1;                  ///< Its inputs that become the left and the right channel, from 0.
+  // Of a driver box.
+  double temperature_c = 22.0, humidity = 50.0;  ///< Of the air, per cent: they make the speed of sound.
+  double height_m = 0.0;                         ///< Of the wearer; 0: as the skeleton's file says.
   bool operator==(const DeviceSetup&) const = default;
 };
 
 /// A rig that can be chosen.
 struct RigChoice {
-  std::string name;   ///< What `load_rig` takes: "line-in-arm".
-  std::string title;  ///< For people.
+  std::string name;         ///< What `load_rig` takes: "line-in-arm".
+  std::string title;        ///< For people.
+  bool driver_box = false;  ///< For a driver box; else for a sound card.
 };
 
 struct StudioServices {
@@ -61,6 +67,10 @@ struct StudioServices {
       open_device;
   /// Quick: only makes the object.
   std::function<std::unique_ptr<LiveBackend>(std::unique_ptr<acquire::LiveSource>, solve::LiveSettings)> make_live;
+  /// A driver box (ids begin with acquire::kBoxPrefix) with everything behind it, ready to start.
+  std::function<Result<std::unique_ptr<LiveBackend>>(const std::string& id, const DeviceSetup& setup,
+                                                     solve::LiveSettings& settings)>
+      open_box;
   std::function<std::vector<std::string>()> demo_motions;  ///< Quick. Of the simulator, the most telling first.
   std::function<std::vector<RigChoice>()> list_rigs;       ///< Quick.
   /// Rig with the serials of the sensors on this device (empty: no device yet), its skeleton, and for each sensor what

@@ -45,6 +45,9 @@ ImportSheet::ImportSheet(StudioContext& context, const QStringList& files, QWidg
   rig_->setToolTip(tr("What was worn where"));
   if (context_.services().list_rigs) {
     for (const RigChoice& rig : context_.services().list_rigs()) {
+      if (rig.driver_box) {
+        continue;  // recordings are a sound card's
+      }
       rig_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
     }
   }

@@ -8,6 +8,7 @@
 #include "common/format.h"
 #include "common/health_text.h"
 #include "common/latency_text.h"
+#include "solve/live_body_session.h"
 
 namespace limbwave::ui {
 namespace {
@@ -25,6 +26,7 @@ struct StatusFacts {
   static StatusFact disk(const StatusInput& in);
   static StatusFact sensors(const StatusInput& in);
   static StatusFact sync(const StatusInput& in);
+  static StatusFact box(const StatusInput& in);
   static StatusFact latency(const StatusInput& in);
 };
 
@@ -47,10 +49,13 @@ StatusFact StatusFacts::record(const StatusInput& in) {
     const bool losing = live->counters.overflows > 0 || live->counters.dropped_frames > 0;
     fact.tone = losing ? Tone::kDanger : Tone::kGood;
     fact.text = tr("REC %1").arg(format_clock_tenths(live->recorded_s));
-    fact.detail = losing
-                      ? tr("Times at which the device lost samples: %1. Close other programs, or choose a lower rate.")
-                            .arg(live->counters.overflows)
-                      : tr("Recording. No sample has been lost.");
+    fact.detail =
+        losing && live->box ? tr("Samples that were lost so far: %1, in %2 gaps. What follows keeps its time.")
+                                  .arg(live->counters.dropped_frames)
+                                  .arg(live->counters.overflows)
+        : losing ? tr("Times at which the device lost samples: %1. Close other programs, or choose a lower rate.")
+                       .arg(live->counters.overflows)
+                 : tr("Recording. No sample has been lost.");
     if (losing) {
       fact.text += QLatin1Char(' ') + tr("(losing samples)");
     }
@@ -118,6 +123,9 @@ StatusFact StatusFacts::sync(const StatusInput& in) {
   if (in.snapshot == nullptr) {
     return fact;
   }
+  if (in.snapshot->box) {
+    return box(in);
+  }
   const decode::LineInStatus& line = in.snapshot->line;
   if (!in.snapshot->source_alive) {
     fact.tone = trouble(in);
@@ -136,6 +144,25 @@ StatusFact StatusFacts::sync(const StatusInput& in) {
   } else {
     fact.text = tr("listening");
     fact.detail = tr("Looking for the board's clock.");
+  }
+  return fact;
+}
+
+StatusFact StatusFacts::box(const StatusInput& in) {
+  StatusFact fact{QStringLiteral("sync"), Tone::kUnknown, tr("box –"), tr("The driver box has not been heard yet."),
+                  QStringLiteral("line")};
+  const solve::LiveBodySnapshot& box = *in.snapshot->box;
+  if (!box.connected) {
+    fact.tone = trouble(in);
+    fact.text = tr("box away");
+    fact.detail = tr("The driver box does not answer. It is taken back by itself as soon as it does.");
+  } else if (!box.wires.empty()) {
+    fact.tone = box.counters.gaps == 0 ? Tone::kGood : Tone::kWarning;
+    fact.text = tr("box: %n gap(s)", nullptr, static_cast<int>(box.counters.gaps));
+    fact.detail = tr("Gaps on the line: %1, with %2 samples; reconnections: %3. Every gap has its length in the take.")
+                      .arg(box.counters.gaps)
+                      .arg(box.counters.lost_frames)
+                      .arg(box.counters.reconnects);
   }
   return fact;
 }

@@ -38,7 +38,8 @@ class PullablePlug : public acquire::LiveSource {
 
 /// Calibrate in a real window over the simulator.
 struct Bench {
-  Bench() : studio(services(), parts()) {
+  Bench() : Bench(StudioServices()) {}
+  explicit Bench(const StudioServices& own) : studio(own.open_device ? own : services(), parts()) {
     studio.context->settings().setValue(QStringLiteral("capture/subject"), QStringLiteral("Ada"));
     studio.window->show_workspace(QStringLiteral("calibrate"));
     workspace = dynamic_cast<CalibrateWorkspace*>(studio.window->workspace(QStringLiteral("calibrate")));
@@ -236,6 +237,35 @@ class SimulatorWizardsTest : public QObject {
     bench.studio.context->saves().finish();
     QCOMPARE(library.list().mounts.size(), std::size_t{1});
     QCOMPARE(bench.workspace->desk().calibration().mounts[1].method, std::string("two poses"));
+  }
+
+  // The studio's own simulator has a wearer who does what is asked: whatever the motion, nobody needs to wait for the
+  // right moment.
+  void the_simulators_wearer_does_what_the_wizards_ask() {
+    Bench bench(core_services());
+    QVERIFY(bench.wears("simulator:walk"));
+    bench.turn_to_the_end();
+    QCOMPARE(bench.label("summary"), QStringLiteral("5 sensors calibrated"));
+    bench.click("next");
+    QTRY_VERIFY_WITH_TIMEOUT(bench.button("calibrate_mounting") != nullptr, 30000);
+    bench.begin_poses(0, 5.0);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.workspace->limb_model().page() == LimbPage::kResult, 60000);
+    for (const LimbOutcome& outcome : bench.workspace->limb_model().outcomes()) {
+      QVERIFY2(outcome.result.has_value(), outcome.error.text().c_str());
+      QCOMPARE(outcome.result->verdict, calibrate::Verdict::kGood);
+    }
+    bench.workspace->limb_model().cancel();
+    // And walks on: what is felt changes by more than a hand's trembling.
+    LiveModel& live = bench.studio.context->live();
+    QTest::qWait(2500);
+    Eigen::Vector3d least = Eigen::Vector3d::Constant(1e9), most = -least;
+    for (const decode::AccelerationFrame& frame : live.snapshot()->frames) {
+      if (frame.time_s > live.snapshot()->stream_time_s - 1.0) {
+        least = least.cwiseMin(frame.volts[1]);
+        most = most.cwiseMax(frame.volts[1]);
+      }
+    }
+    QVERIFY((most - least).maxCoeff() > 0.05);
   }
 
   void a_bad_wearer_is_told_and_gets_no_good_verdict() {

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/core_text.h"
 #include "common/format.h"
 #include "workspaces/capture/capture_commands.h"
-#include "workspaces/capture/device_format.h"
 
 namespace limbwave::ui {
 
@@ -30,10 +28,12 @@ CaptureModel::CaptureModel(StudioContext& context, QObject* parent)
   setup_.rig = context.settings().value(QStringLiteral("capture/rig"), QStringLiteral("line-in-arm")).toString();
   setup_.subject = context.wearer();
   setup_.folder = context.takes_folder();
-  const auto known = std::any_of(rigs_.begin(), rigs_.end(),
-                                 [this](const RigChoice& rig) { return rig.name == setup_.rig.toStdString(); });
-  if (!rigs_.empty() && !known) {
-    setup_.rig = QString::fromStdString(rigs_.front().name);
+  const auto known = std::any_of(rigs_.begin(), rigs_.end(), [this](const RigChoice& rig) {
+    return !rig.driver_box && rig.name == setup_.rig.toStdString();
+  });
+  const auto first = std::find_if(rigs_.begin(), rigs_.end(), [](const RigChoice& rig) { return !rig.driver_box; });
+  if (first != rigs_.end() && !known) {
+    setup_.rig = QString::fromStdString(first->name);
   }
   load_rig_names();
   suggest_name();
@@ -134,94 +134,6 @@ bool CaptureModel::can_record() const {
          take_name_problem().isEmpty();
 }
 
-void CaptureModel::refresh_devices() {
-  if (searching_ || !context_.services().list_devices) {
-    return;
-  }
-  searching_ = true;
-  search_problem_.clear();
-  Q_EMIT devices_changed();
-  using Devices = std::vector<acquire::DeviceInfo>;
-  context_.jobs().compute<Devices>(
-      tr("Looking for devices"), this,
-      [list_devices = context_.services().list_devices](const Progress&) { return list_devices(); },
-      [this](Result<Devices> result) {
-        searching_ = false;
-        if (result) {
-          devices_ = std::move(result).value();
-        } else {
-          devices_.clear();
-          search_problem_ = core_text(result.error().text());
-        }
-        Q_EMIT devices_changed();
-        const QString last = context_.settings().value(QStringLiteral("capture/device")).toString();
-        if ((context_.live().state() == LiveState::kOff || context_.live().lost()) && !last.isEmpty()) {
-          open_device(last);
-        }
-      });
-}
-
-void CaptureModel::open_device(const QString& id) {
-  LiveModel& live = context_.live();
-  if (live.recording() || live.finishing()) {
-    return;
-  }
-  if (id.isEmpty()) {
-    live.close();
-    context_.settings().remove(QStringLiteral("capture/device"));
-    return;
-  }
-  const auto device = std::find_if(devices_.begin(), devices_.end(),
-                                   [&](const acquire::DeviceInfo& one) { return one.id == id.toStdString(); });
-  if (device == devices_.end() || (live.state() != LiveState::kOff && live.device_id() == id && !live.lost())) {
-    return;
-  }
-  if (live.open(id, QString::fromStdString(device->title), rig().toStdString(), subject(),
-                remembered_setup(context_.settings(), *device))) {
-    context_.settings().setValue(QStringLiteral("capture/device"), id);
-  }
-}
-
-const acquire::DeviceInfo* CaptureModel::device() const {
-  const auto found = std::find_if(devices_.begin(), devices_.end(), [this](const acquire::DeviceInfo& one) {
-    return one.id == context_.live().device_id().toStdString();
-  });
-  return found == devices_.end() ? nullptr : &*found;
-}
-
-DeviceSetup CaptureModel::device_setup() const {
-  const acquire::DeviceInfo* chosen = device();
-  return chosen != nullptr ? remembered_setup(context_.settings(), *chosen) : DeviceSetup{};
-}
-
-void CaptureModel::set_device_setup(const DeviceSetup& setup) {
-  const acquire::DeviceInfo* chosen = device();
-  LiveModel& live = context_.live();
-  if (chosen == nullptr || live.recording() || live.starting() || live.finishing()) {
-    return;
-  }
-  const DeviceSetup before = device_setup();
-  if (before != setup) {
-    context_.undo_stack().push(new FormatCommand(*this, *chosen, before, setup, tr("format")));
-  }
-}
-
-void CaptureModel::put_format(const acquire::DeviceInfo& device, const DeviceSetup& setup) {
-  remember_setup(context_.settings(), device, setup);
-  reopen(QString::fromStdString(device.id));
-  Q_EMIT setup_changed();
-}
-
-void CaptureModel::reopen(const QString& device) {
-  LiveModel& live = context_.live();
-  if (live.recording() || live.starting() || live.finishing()) {
-    reopen_ = device;
-  } else if ((live.state() != LiveState::kOff || !live.problem().isEmpty()) && live.device_id() == device) {
-    live.close();
-    open_device(device);
-  }
-}
-
 void CaptureModel::read_board() {
   using Read = std::pair<body::Rig, take::Board>;
   context_.jobs().compute<Read>(
@@ -276,13 +188,19 @@ bool CaptureModel::apply(const CaptureSetup& next) {
   if (live.recording() || live.starting()) {
     return false;  // It belongs to what is being recorded.
   }
-  const bool other_rig = next.rig != setup_.rig;
+  const std::vector<RigChoice> fitting = rigs();
+  const bool fits = std::any_of(fitting.begin(), fitting.end(),
+                                [&](const RigChoice& rig) { return rig.name == next.rig.toStdString(); });
+  // An older step may name a rig for the other kind of device: the device stays, and its rig.
+  const QString rig_before = setup_.rig;
+  const bool other_rig = next.rig != setup_.rig && (fits || fitting.empty());
   context_.set_takes_folder(next.folder);
   setup_ = next;
+  setup_.rig = other_rig ? next.rig : rig_before;
   check_name();
   context_.set_wearer(subject());
   if (other_rig) {
-    context_.settings().setValue(QStringLiteral("capture/rig"), rig());
+    context_.settings().setValue(rig_key(), rig());
     load_rig_names();
   }
   Q_EMIT setup_changed();

@@ -37,7 +37,10 @@ class CaptureModel : public QObject {
   [[nodiscard]] const std::vector<acquire::DeviceInfo>& devices() const { return devices_; }
   [[nodiscard]] bool searching() const { return searching_; }
   [[nodiscard]] const QString& search_problem() const { return search_problem_; }
-  [[nodiscard]] const std::vector<RigChoice>& rigs() const { return rigs_; }
+  /// Those for the kind of device that is open, or was last: sound card or driver box.
+  [[nodiscard]] std::vector<RigChoice> rigs() const;
+  /// The device that is open, or was to be, is a driver box.
+  [[nodiscard]] bool is_box() const;
   [[nodiscard]] const CaptureSetup& setup() const { return setup_; }
   [[nodiscard]] const QString& rig() const { return setup_.rig; }
   [[nodiscard]] const QString& subject() const { return setup_.subject; }
@@ -66,6 +69,8 @@ class CaptureModel : public QObject {
   void set_device_setup(const DeviceSetup& setup);
   /// Empty: closes.
   void open_device(const QString& id);
+  /// A driver box at a serial port that is not listed: it is from now on, and is opened.
+  void open_box_port(const QString& port);
   void set_rig(const QString& rig);
   void set_subject(const QString& subject);
   void set_take_name(const QString& name);
@@ -104,6 +109,10 @@ class CaptureModel : public QObject {
   /// Closes the device and opens it again, unless another one is open by now.
   void reopen(const QString& device);
   void load_rig_names();
+  /// The rig last used for this kind of device, where the present one is for the other.
+  void suit_rig(const QString& device);
+  void add_own_ports();
+  [[nodiscard]] QString rig_key() const;  ///< Of the settings, for this kind of device.
   void check_name();
   void set_countdown(int seconds);
   void count_down();

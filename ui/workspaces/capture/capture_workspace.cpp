@@ -15,6 +15,8 @@
 #include "common/widgets.h"
 #include "plots/scope_view.h"
 #include "plots/sensor_strips.h"
+#include "plots/wire_view.h"
+#include "workspaces/capture/box_panel.h"
 #include "workspaces/capture/level_panel.h"
 #include "workspaces/capture/marker_panel.h"
 #include "workspaces/capture/overview_panel.h"
@@ -78,6 +80,7 @@ CaptureWorkspace::CaptureWorkspace(StudioContext& context, QWidget* parent)
     const int sensor = context_.selection().index_of(SelectionKind::kSensor);
     scope_->set_selected_sensor(sensor);
     strips_->set_selected_sensor(sensor);
+    wires_->set_selected(sensor);
   });
   connect(&context_.markers(), &MarkerModel::changed, this, &CaptureWorkspace::show_markers);
   connect(overview_, &OverviewPanel::rename_wanted, this, [this](std::int64_t number) {
@@ -121,6 +124,14 @@ void CaptureWorkspace::make_signals() {
       context_.selection().clear();
     }
   };
+  auto* scroll = new QScrollArea(center_);
+  box_page_ = scroll;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  wires_ = new WireView(scroll);
+  scroll->setWidget(wires_);
+  center_->addWidget(box_page_);
+  connect(wires_, &WireView::wire_clicked, this, select);
   connect(scope_, &ScopeView::sensor_clicked, this, select);
   connect(strips_, &SensorStrips::sensor_clicked, this, select);
 }
@@ -138,8 +149,10 @@ void CaptureWorkspace::make_side() {
   layout->setSpacing(2 * kGrid);
   record_ = new RecordPanel(context_, model_, page);
   level_ = new LevelPanel(context_, page);
+  box_ = new BoxPanel(context_, model_, page);
   layout->addWidget(record_);
   layout->addWidget(level_);
+  layout->addWidget(box_);
   markers_ = new MarkerPanel(context_, page);
   layout->addWidget(markers_, 1);
   side_->setWidget(page);
@@ -182,8 +195,10 @@ void CaptureWorkspace::follow_state() {
     scope_->set_sensors(model_.sensor_names(), model_.slot_count());
     strips_->set_sensors(model_.sensor_names());
   }
+  level_->setVisible(!model_.is_box());
+  box_->setVisible(model_.is_box());
   if (live.running()) {
-    center_->setCurrentWidget(live_page_);
+    center_->setCurrentWidget(model_.is_box() ? box_page_ : live_page_);
     return;
   }
   center_->setCurrentWidget(empty_);
@@ -213,6 +228,9 @@ void CaptureWorkspace::follow_state() {
 void CaptureWorkspace::follow_snapshot() {
   const auto& snapshot = context_.live().snapshot();
   if (isVisible() || !snapshot) {
+    wires_->set_snapshot(snapshot ? snapshot->box : nullptr);
+  }
+  if ((isVisible() && snapshot && !snapshot->box) || !snapshot) {
     scope_->set_snapshot(snapshot);
     strips_->set_snapshot(snapshot);
   }
@@ -237,10 +255,10 @@ void CaptureWorkspace::reveal(const QString& topic) {
     side_->ensureWidgetVisible(record_);
     record_->focus_record();
   } else if (topic == QLatin1String("line")) {
-    side_->ensureWidgetVisible(level_);
-    scope_->setFocus();
+    side_->ensureWidgetVisible(model_.is_box() ? static_cast<QWidget*>(box_) : level_);
+    (model_.is_box() ? static_cast<QWidget*>(wires_) : scope_)->setFocus();
   } else if (topic.startsWith(QLatin1String("sensor"))) {
-    strips_->setFocus();
+    (model_.is_box() ? static_cast<QWidget*>(wires_) : strips_)->setFocus();
     bool ok = false;
     const int sensor = topic.section(QLatin1Char(':'), 1).toInt(&ok);
     if (ok) {

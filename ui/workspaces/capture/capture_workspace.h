@@ -10,6 +10,7 @@ class QStackedWidget;
 
 namespace limbwave::ui {
 
+class BoxPanel;
 class EmptyState;
 class LevelPanel;
 class MarkerPanel;
@@ -18,6 +19,7 @@ class RecordPanel;
 class ScopeView;
 class SensorStrips;
 class SourceBar;
+class WireView;
 
 class CaptureWorkspace : public Workspace {
   Q_OBJECT
@@ -52,6 +54,9 @@ class CaptureWorkspace : public Workspace {
   QScrollArea* side_ = nullptr;
   RecordPanel* record_ = nullptr;
   LevelPanel* level_ = nullptr;
+  QWidget* box_page_ = nullptr;  ///< Instead of the live page, of a driver box.
+  WireView* wires_ = nullptr;
+  BoxPanel* box_ = nullptr;
   MarkerPanel* markers_ = nullptr;
   OverviewPanel* overview_ = nullptr;
   bool searched_ = false;

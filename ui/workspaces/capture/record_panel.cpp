@@ -144,7 +144,7 @@ void RecordPanel::refresh() {
   name_problem_->setVisible(!problem.isEmpty());
   folder_->set_text(context_.takes_folder());
   const CalibrationLine calibration = calibration_line(live.settings().calibration, live.wearer());
-  calibration_->setVisible(live.state() == LiveState::kRunning);
+  calibration_->setVisible(live.state() == LiveState::kRunning && !model_.is_box());
   calibration_->setText(calibration.whole ? calibration.text
                                           : tr("%1 <a href=\"calibrate\">Calibrate</a>").arg(calibration.text));
   set_style_property(calibration_, "role", calibration.whole ? QStringLiteral("dim") : QStringLiteral("warning"));

@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -17,6 +18,11 @@
 #include "workspaces/capture/device_format.h"
 
 namespace limbwave::ui {
+namespace {
+
+constexpr auto kOtherPort = "other-port";
+
+}  // namespace
 
 SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* parent)
     : QWidget(parent),
@@ -36,7 +42,7 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   device_label->setBuddy(devices_);
   devices_->setObjectName(QStringLiteral("device_box"));
   devices_->setAccessibleName(tr("Device"));
-  devices_->setToolTip(tr("Where the signal comes from: a sound card's line input, or the simulator"));
+  devices_->setToolTip(tr("Where the signal comes from: a sound card's line input, a driver box, or the simulator"));
   devices_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   devices_->setMinimumContentsLength(16);
   auto* rig_label = dim_label(tr("R&ig"), this);
@@ -67,8 +73,10 @@ SourceBar::SourceBar(StudioContext& context, CaptureModel& model, QWidget* paren
   connect(&model_, &CaptureModel::board_ready, this, &SourceBar::edit_board);
 
   connect(refresh_, &QToolButton::clicked, &model_, &CaptureModel::refresh_devices);
-  connect(devices_, &QComboBox::activated, this,
-          [this](int index) { model_.open_device(devices_->itemData(index).toString()); });
+  connect(devices_, &QComboBox::activated, this, [this](int index) {
+    const QString id = devices_->itemData(index).toString();
+    id == QLatin1String(kOtherPort) ? ask_port() : model_.open_device(id);
+  });
   connect(rigs_, &QComboBox::activated, this, [this](int index) { model_.set_rig(rigs_->itemData(index).toString()); });
   connect(&model_, &CaptureModel::devices_changed, this, &SourceBar::refresh);
   connect(&model_, &CaptureModel::setup_changed, this, &SourceBar::refresh);
@@ -92,6 +100,20 @@ void SourceBar::edit_board(const body::Rig& rig, const take::Board& board) {
   dialog->open();
 }
 
+void SourceBar::ask_port() {
+  refresh();  // The list shows what is open, not this entry.
+  auto* dialog = new QInputDialog(window());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setObjectName(QStringLiteral("port_dialog"));
+  dialog->setWindowTitle(tr("Driver box at another port"));
+  dialog->setLabelText(tr("Serial port of the driver box, or the link of an emulator:"));
+  dialog->setTextValue(QStringLiteral("/dev/ttyACM0"));
+  dialog->setOkButtonText(tr("Open"));
+  dialog->setCancelButtonText(tr("Cancel"));
+  connect(dialog, &QInputDialog::textValueSelected, &model_, &CaptureModel::open_box_port);
+  dialog->open();
+}
+
 void SourceBar::fill() {
   // Only when there are others: an open list would close under the mouse.
   QStringList wanted{model_.searching() ? tr("Looking for devices…") : tr("Choose a device")};
@@ -106,9 +128,17 @@ void SourceBar::fill() {
       devices_->addItem(QString::fromStdString(device.title), QString::fromStdString(device.id));
       devices_->setItemData(devices_->count() - 1, QString::fromStdString(device.id), Qt::ToolTipRole);
     }
+    devices_->addItem(tr("Driver box at another port…"), QString::fromLatin1(kOtherPort));
   }
-  if (rigs_->count() == 0) {
-    for (const RigChoice& rig : model_.rigs()) {
+  const std::vector<RigChoice> rigs = model_.rigs();
+  QStringList wanted_rigs;
+  for (const RigChoice& rig : rigs) {
+    wanted_rigs << QString::fromStdString(rig.name);
+  }
+  if (wanted_rigs != listed_rigs_) {
+    listed_rigs_ = wanted_rigs;
+    rigs_->clear();
+    for (const RigChoice& rig : rigs) {
       rigs_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
       rigs_->setItemData(rigs_->count() - 1,
                          tr("%1 (file %2)").arg(QString::fromStdString(rig.title), QString::fromStdString(rig.name)),
@@ -130,11 +160,13 @@ void SourceBar::refresh() {
   refresh_->setEnabled(free && !model_.searching());
   rigs_->setToolTip(free ? tr("What is worn where: %1").arg(rigs_->currentText())
                          : tr("Stop recording to choose another rig"));
-  devices_->setToolTip(free ? tr("Where the signal comes from: a sound card's line input, or the simulator")
-                            : tr("Stop recording to choose another device"));
+  devices_->setToolTip(
+      free ? tr("Where the signal comes from: a sound card's line input, a driver box, or the simulator")
+           : tr("Stop recording to choose another device"));
   // The simulator's sensors have serials of their own.
   const LiveModel& running = context_.live();
-  board_->setEnabled(free && running.running() && !running.device_id().startsWith(QLatin1String(kSimulatorPrefix)));
+  board_->setEnabled(free && running.running() && !running.device_id().startsWith(QLatin1String(kSimulatorPrefix)) &&
+                     !model_.is_box());
   refresh_format();
 }
 
@@ -150,7 +182,9 @@ void SourceBar::refresh_format() {
     format_->setText(text);
     format_->setAccessibleName(tr("Sampling rate, sample format and inputs: %1").arg(text));
   }
-  format_->setVisible(device != nullptr);
+  // A driver box samples as it is built.
+  format_->setVisible(device != nullptr && !model_.is_box());
+  board_->setVisible(!model_.is_box());
   format_->setEnabled(free && device != nullptr);
   format_->setToolTip(free ? tr("Sampling rate, sample format and inputs")
                            : tr("Stop recording to choose another format"));

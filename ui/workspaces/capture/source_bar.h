@@ -23,6 +23,7 @@ class SourceBar : public QWidget {
   void refresh_format();
   void fill_format_menu();
   void fill();
+  void ask_port();
   void edit_board(const body::Rig& rig, const take::Board& board);
   StudioContext& context_;
   CaptureModel& model_;
@@ -33,6 +34,7 @@ class SourceBar : public QWidget {
   QMenu* format_menu_;
   QToolButton* board_;
   QStringList listed_devices_;  ///< As the box has them.
+  QStringList listed_rigs_;
 };
 
 }  // namespace limbwave::ui
