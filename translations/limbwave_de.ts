@@ -3573,6 +3573,10 @@
         <source>wire %1 was pulled before</source>
         <translation>Kabel %1 war vorher schon gezogen</translation>
     </message>
+    <message>
+        <source>a factor at the end of its range says that the errors are not noise: compare with a solve without</source>
+        <translation>ein Faktor am Ende seines Bereichs besagt, dass die Fehler kein Rauschen sind: mit einer Berechnung ohne ihn vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>

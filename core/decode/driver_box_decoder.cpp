@@ -4,7 +4,6 @@
 #include <functional>
 #include <future>
 #include <limits>
-#include <optional>
 
 #include "decode/pulse_shape.h"
 
@@ -25,7 +24,7 @@ struct DriverBoxDecoder::Impl {
   std::vector<RangingDecoder> ranging;
   std::vector<InertialWordDecoder> words;
   std::vector<InertialTrace> traces;
-  std::optional<SourceMotion> sources;
+  std::vector<SourceMotion> frames;                // the first one's sources are most
   std::vector<std::vector<RangeReading>> waiting;  // by wire, until every wire has the pulse
   std::vector<InertialReading> inertial;
   bool ended = false;
@@ -52,21 +51,25 @@ struct DriverBoxDecoder::Impl {
       heard = std::min(heard, decoder.heard_slots());
     }
     const RangingFormat& common = format.wires.front();
-    for (std::int64_t slot = sources->end(); slot < heard; ++slot) {
+    for (std::int64_t slot = frames.front().end(); slot < heard; ++slot) {
       const double time_s = pulse_middle_s(common, format.rate, *ranging.front().shape(), slot);
       if (time_s + kWordsLate_s > passed) {
         break;
       }
-      sources->step(static_cast<int>(slot % static_cast<std::int64_t>(common.sources.size())), time_s, traces);
+      for (SourceMotion& frame : frames) {
+        frame.step(static_cast<int>(slot % static_cast<std::int64_t>(common.sources.size())), time_s, traces);
+      }
     }
     each([&](std::size_t w) {
-      ranging[w].settle(sources->end(), *sources, static_cast<int>(w));
+      ranging[w].settle(frames.front().end(), frames, static_cast<int>(w));
       if (ended) {
         ranging[w].settle_end();
       }
     });
-    const std::int64_t next = sources->end();
-    sources->forget(next);
+    const std::int64_t next = frames.front().end();
+    for (SourceMotion& frame : frames) {
+      frame.forget(next);
+    }
     if (!common.sources.empty()) {
       const double before = pulse_middle_s(common, format.rate, *ranging.front().shape(), next) - kKept_s;
       for (InertialTrace& trace : traces) {
@@ -102,13 +105,23 @@ DriverBoxDecoder::DriverBoxDecoder(const DriverBoxFormat& format, const DriverBo
   d.traces.resize(format.wires.size());
   const BoxGeometry geometry = parameters.inertial ? format.geometry : BoxGeometry{};
   if (!format.wires.empty()) {
-    d.sources.emplace(format.wires.front(), geometry);
+    d.frames.emplace_back(format.wires.front(), geometry);
+    // Without words a frame other than that of most sources tells nothing more.
+    for (const DriverBoxFormat::Frame& other : format.others) {
+      if (parameters.inertial) {
+        d.frames.emplace_back(other.wires.front(), other.geometry);
+      }
+    }
   }
   std::shared_ptr<const PulseShape> shape;
   for (int w = 0; w < static_cast<int>(format.wires.size()); ++w) {
     if (parameters.ranges) {
-      d.ranging.emplace_back(format.wires[static_cast<std::size_t>(w)], format.rate, w, parameters.ranging, shape,
-                             geometry);
+      const auto wire = static_cast<std::size_t>(w);
+      std::vector<RangingFrame> frames{{format.wires[wire], geometry}};
+      for (std::size_t f = 1; f < d.frames.size(); ++f) {
+        frames.push_back({format.others[f - 1].wires[wire], format.others[f - 1].geometry});
+      }
+      d.ranging.emplace_back(format.rate, w, frames, parameters.ranging, shape);
       shape = d.ranging.back().shape();
     }
     d.words.emplace_back(format.words, format.rate, w);

@@ -17,8 +17,14 @@ namespace limbwave::decode {
 
 struct DriverBoxFormat {
   SampleRate rate{140000.0};
-  std::vector<RangingFormat> wires;  ///< One per wire.
-  BoxGeometry geometry;              ///< What ranging makes of the words.
+  std::vector<RangingFormat> wires;  ///< One per wire, in the frame of the segment that most sources sit on.
+  BoxGeometry geometry;              ///< What ranging makes of the words, in that frame.
+  /// The same in the frames of other segments with sources and a board of their own.
+  struct Frame {
+    std::vector<RangingFormat> wires;
+    BoxGeometry geometry;
+  };
+  std::vector<Frame> others;
   WordFormat words;
 };
 

@@ -25,7 +25,9 @@ constexpr int kAcquireBits = 128;      // from which the phase of the clock is t
 constexpr int kPhases = 16;            // tried then
 constexpr int kMostErrors = 10;        // of two frames, for a lock
 constexpr int kLostFrames = 12;        // in a row, then the lock is
-constexpr double kPhaseGain = 0.03;    // of the timing loop, per transition
+// Of 10 bits, four of which are summed up: one of them at its end is enough.
+constexpr int kEndSteps = 4;         // of 2048, from the end of a range
+constexpr double kPhaseGain = 0.03;  // of the timing loop, per transition
 constexpr double kRateGain = 2.5e-4;
 constexpr double kAhead = 6.0;  // values that must be there beyond a bit's middle
 // Slope of a bit's edge after the low pass, amplitudes per bit.
@@ -228,7 +230,7 @@ struct InertialWordDecoder::Impl {
       reading.f_S[axis] = held[c + 3] * format.accelerometer_range_m_s2 / acquire::kReadingLimit;
     }
     reading.saturated = std::any_of(held.begin(), held.end(), [](int value) {
-      return value == -acquire::kReadingLimit || value == acquire::kReadingLimit - 1;
+      return value <= -acquire::kReadingLimit + kEndSteps || value >= acquire::kReadingLimit - 1 - kEndSteps;
     });
     readings.push_back(reading);
     pattern = (pattern + 1) % kScramblingFrames;

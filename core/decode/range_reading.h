@@ -40,7 +40,10 @@ struct RangeReading {
   double variance = 0.0;      ///< Of `range`, m²; of what the verdict says it is. Infinite where there is no arrival.
   double envelope_range = 0;  ///< By the envelope alone, metres; never off by whole cycles. NaN: no arrival.
   double envelope_variance = 0.0;
-  double phase_range = 0.0;        ///< By the carrier, metres modulo a wavelength, 0 <= phase_range < wavelength.
+  double phase_range = 0.0;  ///< By the carrier, metres modulo a wavelength, 0 <= phase_range < wavelength.
+  /// By the carrier with the likeliest number of whole cycles, believed or not, metres. NaN: none was counted.
+  double carrier_range = std::numeric_limits<double>::quiet_NaN();
+  double failure = 1.0;            ///< Probability, as computed, that another number is right; 1: none was counted.
   double expected = 0.0;           ///< What all earlier ranges to this microphone let expect, metres; NaN: nothing yet.
   double expected_variance = 0.0;  ///< Of that, m².
   double snr_db = 0.0;             ///< In-band peak of the arrival over the noise, power.

@@ -11,18 +11,14 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kStrong = 0.6;         // of the amplitude expected: fully believed from here
-constexpr double kSystematic = 0.4e-3;  // metres, of the envelope beside its noise
-constexpr double kSurprise = 5.0;       // standard deviations
-constexpr double kNowhere = 0.6;        // radians, of a direction that is not known
-constexpr double kPoseAngle = 0.06;     // radians, of one that a pose filter tells
-constexpr double kDoubt = 4.0;          // standard deviations of the mean of envelope minus carrier
-constexpr double kPairForgets = 0.7;    // seconds
-constexpr double kFarthest = 3.5;       // standard deviations of the envelope
-constexpr double kContradiction = 0.2;  // a guess that is surer than this can contradict another
-constexpr double kOverload = 0.85;      // of full scale: from there on the shape is not the pulse's, but the phase is
-constexpr double kOverloaded = 0.020;   // metres
-constexpr double kSure = 0.030;         // metres: who expects a range this well chooses among arrivals
+constexpr double kPoseAngle = 0.06;    // radians, of one that a pose filter tells
+constexpr double kDoubt = 4.0;         // standard deviations of the mean of envelope minus carrier
+constexpr double kPairForgets = 0.7;   // seconds
+constexpr double kOverload = 0.85;     // of full scale: from there on the shape is not the pulse's, but the phase is
+constexpr double kOverloaded = 0.020;  // metres
+constexpr double kBones = 0.025;       // metres, by which boards and bones are not where they are thought to be
+constexpr double kElsewhere = 3.0;     // standard deviations from where the skeleton puts a board
+constexpr double kOtherFrame = 0.010;  // metres, of a range in a frame that its source moves in
 
 double wrapped(double value, double period) {
   return value - period * std::floor(value / period);
@@ -30,19 +26,30 @@ double wrapped(double value, double period) {
 
 }  // namespace
 
-RangeResolver::RangeResolver(const RangingFormat& format, SampleRate rate, int receiver,
-                             const RangingParameters& parameters, double centroid_s,
-                             const Eigen::Quaterniond& R_CS_rest, const Eigen::Vector3d& origin)
-    : format_(format),
+RangeResolver::RangeResolver(SampleRate rate, int receiver, const std::vector<RangingFrame>& frames,
+                             const RangingParameters& parameters, double centroid_s)
+    : format_(frames.front().format),
       rate_(rate),
       receiver_(receiver),
       parameters_(parameters),
       centroid_s_(centroid_s),
-      wavelength_(format.speed_of_sound / format.pulse_hz),
-      followed_{RangeTracker(format, parameters, R_CS_rest, origin), {}},
-      stretch_(
-          static_cast<std::size_t>(std::max(0.0, std::ceil(parameters.look_ahead_s * rate.hz / format.slot_samples)))) {
-  followed_.pairs.assign(format.sources.size(), {CycleTracker(wavelength_, parameters.stray, parameters.stray_m)});
+      wavelength_(format_.speed_of_sound / format_.pulse_hz),
+      frame_of_(format_.sources.size(), 0),
+      stretch_(static_cast<std::size_t>(
+          std::max(0.0, std::ceil(parameters.look_ahead_s * rate.hz / format_.slot_samples)))) {
+  const Followed::Pair pair{CycleTracker(wavelength_, parameters.stray, parameters.stray_m)};
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const auto& [format, geometry] = frames[f];
+    const auto w = static_cast<std::size_t>(receiver);
+    const Eigen::Quaterniond rest =
+        w < geometry.R_CS_rest.size() ? geometry.R_CS_rest[w] : Eigen::Quaterniond::Identity();
+    const Eigen::Vector3d origin = geometry.reference >= 0 ? geometry.reference_place : Eigen::Vector3d::Zero();
+    frames_.push_back(
+        {RangeTracker(format, parameters, rest, origin), std::vector<Followed::Pair>(format.sources.size(), pair)});
+    for (std::size_t s = 0; s < format.sources.size(); ++s) {
+      frame_of_[s] = format.sources[s].fixed && frame_of_[s] == 0 ? f : frame_of_[s];
+    }
+  }
 }
 
 void RangeResolver::Followed::pass_on() {
@@ -70,16 +77,18 @@ RangeReading RangeResolver::blank(const HeardSlot& heard) const {
   return reading;
 }
 
-void RangeResolver::add(const HeardSlot& heard, const TrackerStep& step) {
-  followed_.tracker.advance(step);
-  followed_.pass_on();
+void RangeResolver::add(const HeardSlot& heard, std::vector<TrackerStep> steps) {
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    frames_[f].tracker.advance(steps[f]);
+    frames_[f].pass_on();
+  }
   Guess guess;
-  const RangeReading reading = judge(heard, step, followed_, true, guess);
+  const RangeReading reading = judge(heard, steps, frames_, true, guess);
   if (stretch_ == 0 || parameters_.method == RangingMethod::kPaper) {
     readings_.push_back(reading);
     return;
   }
-  kept_.push_back({heard, step, reading, guess});
+  kept_.push_back({heard, std::move(steps), reading, guess});
   if (kept_.size() >= 3 * stretch_) {
     settle(2 * stretch_);
   }
@@ -91,22 +100,28 @@ void RangeResolver::finish() {
 
 // Backward over all that is kept, to the first `count` of them, which then are done.
 void RangeResolver::settle(std::size_t count) {
-  Followed back = followed_;
-  back.tracker.turn_round();
-  back.tracker.forget_corrections();
-  for (Followed::Pair& pair : back.pairs) {
-    pair.cycles.stop();
-    pair.counted = pair.fixed = false;
+  Frames back = frames_;
+  for (Followed& frame : back) {
+    frame.tracker.turn_round();
+    frame.tracker.forget_corrections();
+    for (Followed::Pair& pair : frame.pairs) {
+      pair.cycles.stop();
+      pair.counted = pair.fixed = false;
+    }
   }
   for (std::size_t i = kept_.size(); i-- > 0;) {
     Kept& kept = kept_[i];
-    back.tracker.sit(kept.step.board);
-    Guess guess;
-    const RangeReading reading = judge(kept.heard, kept.step, back, false, guess);
-    if (i < count) {
-      kept.reading = better(kept, reading, guess, wavelength_);
+    for (std::size_t f = 0; f < back.size(); ++f) {
+      back[f].tracker.sit(kept.steps[f].board);
     }
-    back.tracker.retreat(kept.step);
+    Guess guess;
+    const RangeReading reading = judge(kept.heard, kept.steps, back, false, guess);
+    if (i < count) {
+      kept.reading = better(kept, reading, guess);
+    }
+    for (std::size_t f = 0; f < back.size(); ++f) {
+      back[f].tracker.retreat(kept.steps[f]);
+    }
   }
   for (; count > 0; --count) {
     readings_.push_back(kept_.front().reading);
@@ -114,28 +129,11 @@ void RangeResolver::settle(std::size_t count) {
   }
 }
 
-RangeReading RangeResolver::better(const Kept& kept, const RangeReading& backward, const Guess& guess,
-                                   double wavelength) {
-  const RangeReading& forward = kept.reading;
-  const bool f = forward.verdict == RangeVerdict::kAccepted;
-  const bool b = backward.verdict == RangeVerdict::kAccepted;
-  const bool both_guess = (f || kept.guess.failure < kContradiction) && (b || guess.failure < kContradiction);
-  if ((f || b) && both_guess && std::abs(kept.guess.range - guess.range) > 0.5 * wavelength) {
-    // Past and future disagree.
-    RangeReading neither = forward;
-    neither.range = forward.envelope_range;
-    neither.variance = forward.envelope_variance;
-    neither.verdict = RangeVerdict::kAmbiguous;
-    return neither;
-  }
-  const bool later = backward.expected_variance < forward.expected_variance;
-  const RangeReading& best = later ? backward : forward;
-  const RangeReading& other = later ? forward : backward;
-  return best.verdict == RangeVerdict::kAmbiguous && (f || b) ? other : best;
-}
-
-RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
-                                  Guess& guess) {
+RangeReading RangeResolver::judge(const HeardSlot& heard, const std::vector<TrackerStep>& steps, Frames& frames,
+                                  bool forward, Guess& guess) {
+  const std::size_t own = frame_of_[static_cast<std::size_t>(heard.source)];
+  const TrackerStep& step = steps[own];
+  Followed& followed = frames[own];
   RangeTracker& tracker = followed.tracker;
   RangeReading reading = blank(heard);
   if (const auto expected = tracker.expect(heard.source, step.source)) {
@@ -151,51 +149,41 @@ RangeReading RangeResolver::judge(const HeardSlot& heard, const TrackerStep& ste
   } else {
     by_envelope(heard, step, followed, forward, reading, guess);
   }
+  tell_others(reading, steps, frames, own);
   return reading;
 }
 
-// The first arrival; what comes before the one that is expected is an echo of another pulse, or noise.
-const Arrival& RangeResolver::straight(const HeardSlot& heard,
-                                       const std::optional<RangeTracker::Expectation>& expected) const {
-  if (expected && expected->variance < kSure * kSure) {
-    for (std::size_t i = 0; i < heard.count; ++i) {
-      const Arrival& arrival = heard.arrivals[i];
-      const double c = format_.speed_of_sound;
-      const double off = c * arrival.delay_s - expected->range;
-      if (off * off < kSurprise * kSurprise * (expected->variance + c * c * arrival.delay_variance + 9e-6)) {
-        return arrival;
-      }
-    }
+// Frames in which the source moves learn about where it is, coarsely: segments between them have no boards.
+void RangeResolver::tell_others(const RangeReading& reading, const std::vector<TrackerStep>& steps, Frames& frames,
+                                std::size_t own) const {
+  if (reading.verdict != RangeVerdict::kAccepted && reading.verdict != RangeVerdict::kAmbiguous) {
+    return;
   }
-  return heard.arrivals.front();
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    if (f == own) {
+      continue;
+    }
+    RangeTracker& tracker = frames[f].tracker;
+    const double variance = reading.variance + kOtherFrame * kOtherFrame;
+    const auto expected = tracker.expect(reading.source, steps[f].source);
+    const double off = expected ? reading.range - expected->range : 0.0;
+    if (expected && off * off < kSurprise * kSurprise * (expected->variance + variance)) {
+      tracker.update(reading.source, steps[f].source, reading.range, variance);
+      frames[f].pass_on();
+    }
+    tracker.collect(reading.source, steps[f].source, reading.range, variance);
+  }
 }
 
-// Strength and angle, as the paper has them, from what is known about the geometry.
-void RangeResolver::weigh(const RangingSource& source, double range, double amplitude, double noise,
-                          const Direction& towards, RangeReading& reading) const {
-  const auto radiated = [&](double angle) {
-    const std::vector<double>& table = format_.radiation;
-    if (table.size() < 2) {
-      return 1.0;
-    }
-    const double place = std::clamp(angle / kPi, 0.0, 1.0) * static_cast<double>(table.size() - 1);
-    const std::size_t below = std::min(static_cast<std::size_t>(place), table.size() - 2);
-    const double x = place - static_cast<double>(below);
-    return table[below] + x * (table[below + 1] - table[below]);
-  };
-  double pattern = 0.25;  // where no direction is known: far off the axis, but in sight
-  reading.factors.angle = 1.0;
-  if (towards.sd < radians(6.0)) {
-    // Of the angles that are possible the one that explains the least strength.
-    pattern = radiated(std::min(kPi, towards.angle + towards.sd));
-    reading.factors.angle = std::clamp((radians(95.0) - towards.angle) / radians(10.0), 0.0, 1.0);
+// Where the skeleton sees the microphone from the source that fires.
+std::optional<RangeResolver::Direction> RangeResolver::by_skeleton(const TrackerStep& step) {
+  const Eigen::Vector3d way = step.board.place - step.source.place;
+  const double distance = way.norm();
+  if (!step.board.placed || distance < 0.02) {
+    return std::nullopt;
   }
-  const double near = std::max(range, 0.05);
-  const double strength =
-      source.level * format_.level_m * pattern / near * std::pow(10.0, -format_.absorption_db_m * near / 20.0);
-  const double relative = amplitude / (kStrong * strength);
-  reading.factors.strength = relative >= 1.0 ? 1.0 : relative * relative * relative * relative;
-  reading.snr_db = 10.0 * std::log10(std::max(1e-9, 0.25 * amplitude * amplitude / std::max(noise * 0.5, 1e-30)));
+  const double angle = std::acos(std::clamp(way.dot(step.source.normal) / distance, -1.0, 1.0));
+  return Direction{angle, std::min(kNowhere, std::hypot(step.board.place_sd, kBones) / distance)};
 }
 
 void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
@@ -216,6 +204,10 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
     towards = {told->angle, kPoseAngle};
   } else if (expected) {
     towards = {expected->angle, std::min(kNowhere, expected->angle_sd)};
+  }
+  const std::optional<Direction> worn = by_skeleton(step);
+  if (worn && worn->sd < towards.sd) {
+    towards = *worn;
   }
   const double u = std::min(1.5, towards.angle / (kPi / 3.0));
   const double turn = u * u * (source.phase + source.phase_2 * u);
@@ -238,6 +230,12 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
                      std::sqrt(expected->variance + reading.envelope_variance + 9e-6);
     reading.factors.continuity = z <= kSurprise ? 1.0 : std::pow(kSurprise / z, 4);
   }
+  if (step.board.placed) {
+    // Who is far from where the skeleton can put him has been heard by way of a wall.
+    const double z = std::abs(reading.envelope_range - (step.board.place - step.source.place).norm()) /
+                     std::hypot(step.board.place_sd, kBones);
+    reading.factors.continuity *= z <= kElsewhere ? 1.0 : std::pow(kElsewhere / z, 4);
+  }
   if (reading.factors.strength < parameters_.least_confidence) {
     reading.verdict = RangeVerdict::kTooWeak;
     return;
@@ -259,7 +257,9 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
     return;
   }
   const CycleResult result = resolve(phase_variance, step, *expected, told, reading, followed);
-  guess = {result.range, result.failure};
+  guess = {result.range, result.failure, phase_variance};
+  reading.carrier_range = result.range;
+  reading.failure = result.failure;
   const double off = result.range - reading.envelope_range;
   const bool near =
       off * off <= kFarthest * kFarthest * (parameters_.caution * reading.envelope_variance + phase_variance);
@@ -354,47 +354,14 @@ void RangeResolver::watch(const RangeReading& reading) {
   const double mean = slip_.mean / slip_.weight;
   const double sd = 1.0 / std::sqrt(slip_.weight);
   if (std::abs(mean) > 3e-3 && std::abs(mean) > kDoubt * sd) {
-    followed_.tracker.doubt();
-    for (Followed::Pair& pair : followed_.pairs) {
-      pair.cycles.stop();
-      pair.counted = pair.fixed = false;
+    for (Followed& frame : frames_) {
+      frame.tracker.doubt();
+      for (Followed::Pair& pair : frame.pairs) {
+        pair.cycles.stop();
+        pair.counted = pair.fixed = false;
+      }
     }
     slip_ = {};
-  }
-}
-
-void RangeResolver::by_paper(const HeardSlot& heard, const TrackerStep& step, RangeTracker& tracker,
-                             RangeReading& reading) const {
-  if (!heard.steepest) {
-    return;
-  }
-  const RangingSource& source = format_.sources[static_cast<std::size_t>(heard.source)];
-  const double c = format_.speed_of_sound;
-  reading.range = reading.envelope_range = c * (heard.steepest->delay_s - source.delay_s);
-  reading.flight_s = reading.range / c;
-  const auto expected = tracker.expect(reading.source, step.source);
-  const Direction towards =
-      expected ? Direction{expected->angle, std::min(kNowhere, expected->angle_sd)} : Direction{0.0, kNowhere};
-  weigh(source, reading.range, heard.steepest->peak, heard.noise, towards, reading);
-  // σ of 2.5 mm at 25 dB, and in inverse proportion to the amplitude.
-  const double sd = 2.5e-3 * std::pow(10.0, (25.0 - std::min(45.0, reading.snr_db)) / 20.0);
-  reading.variance = reading.envelope_variance = sd * sd + kSystematic * kSystematic;
-  reading.factors.continuity = 1.0;
-  if (expected) {
-    const double z =
-        std::abs(reading.range - expected->range) / std::sqrt(expected->variance + reading.variance + 1e-6);
-    reading.factors.continuity = z <= kSurprise ? 1.0 : std::pow(kSurprise / z, 4);
-  }
-  if (reading.factors.strength < parameters_.least_confidence) {
-    reading.verdict = RangeVerdict::kTooWeak;
-  } else if (reading.range > source.reach || reading.range < 0.0 ||
-             reading.confidence() < parameters_.least_confidence) {
-    reading.verdict = RangeVerdict::kInconsistent;
-    tracker.contradict();
-  } else {
-    reading.verdict = RangeVerdict::kAccepted;
-    tracker.update(reading.source, step.source, reading.range, reading.variance);
-    tracker.collect(reading.source, step.source, reading.range, reading.variance);
   }
 }
 

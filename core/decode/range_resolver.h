@@ -14,6 +14,12 @@
 
 namespace limbwave::decode {
 
+/// A frame that ranging works in: that of a segment with sources.
+struct RangingFrame {
+  RangingFormat format;  ///< Of one wire, in this frame.
+  BoxGeometry geometry;
+};
+
 /// One wire's. Slots go through a tracker forward as they come; behind it, stretches of slots go through a copy of it
 /// backward, so that a pulse is judged by what came before and by what came after it. Memory: the look-ahead.
 class RangeResolver {
@@ -21,26 +27,31 @@ class RangeResolver {
   using Predict = std::function<std::optional<RangePrediction>(int source, Seconds emission)>;
 
   /// `centroid_s`: from a pulse's start to the middle of its energy.
-  RangeResolver(const RangingFormat& format, SampleRate rate, int receiver, const RangingParameters& parameters,
-                double centroid_s, const Eigen::Quaterniond& R_CS_rest, const Eigen::Vector3d& origin);
+  RangeResolver(SampleRate rate, int receiver, const std::vector<RangingFrame>& frames,
+                const RangingParameters& parameters, double centroid_s);
 
   void set_prediction(Predict predict) { predict_ = std::move(predict); }
-  /// The next slot.
-  void add(const HeardSlot& heard, const TrackerStep& step);
+  /// The next slot, as every frame sees it.
+  void add(const HeardSlot& heard, std::vector<TrackerStep> steps);
   /// No more slots.
   void finish();
   /// One reading per slot since the last call, in order; at most three times `look_ahead_s` late.
   std::vector<RangeReading> take();
 
  private:
+  static constexpr double kSystematic = 0.4e-3;  // metres, of the envelope beside its noise
+  static constexpr double kSurprise = 5.0;       // standard deviations
+  static constexpr double kNowhere = 0.6;        // radians, of a direction that is not known
+  static constexpr double kFarthest = 3.5;       // standard deviations of the envelope
   /// The likeliest range by the carrier, accepted or not.
   struct Guess {
     double range = 0.0;
-    double failure = 1.0;  // probability of other whole cycles
+    double failure = 1.0;   // probability of other whole cycles
+    double variance = 0.0;  // of the phase, m²
   };
   struct Kept {
     HeardSlot heard;
-    TrackerStep step;
+    std::vector<TrackerStep> steps;  // by frame
     RangeReading reading;
     Guess guess;
   };
@@ -62,8 +73,11 @@ class RangeResolver {
     void pass_on();  ///< Corrections of the tracker to the pairs.
   };
   [[nodiscard]] RangeReading blank(const HeardSlot& heard) const;
-  [[nodiscard]] RangeReading judge(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
-                                   Guess& guess);
+  using Frames = std::vector<Followed>;
+  [[nodiscard]] RangeReading judge(const HeardSlot& heard, const std::vector<TrackerStep>& steps, Frames& frames,
+                                   bool forward, Guess& guess);
+  void tell_others(const RangeReading& reading, const std::vector<TrackerStep>& steps, Frames& frames,
+                   std::size_t own) const;
   void by_paper(const HeardSlot& heard, const TrackerStep& step, RangeTracker& tracker, RangeReading& reading) const;
   void by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
                    RangeReading& reading, Guess& guess);
@@ -79,15 +93,18 @@ class RangeResolver {
               Followed& followed) const;
   void watch(const RangeReading& reading);
   void settle(std::size_t count);
-  [[nodiscard]] static RangeReading better(const Kept& kept, const RangeReading& backward, const Guess& guess,
-                                           double wavelength);
+  [[nodiscard]] RangeReading better(const Kept& kept, const RangeReading& backward, const Guess& guess) const;
+  [[nodiscard]] std::optional<RangeReading> by_both(const Kept& kept, const RangeReading& backward,
+                                                    const Guess& guess) const;
+  [[nodiscard]] static std::optional<Direction> by_skeleton(const TrackerStep& step);
 
   RangingFormat format_;
   SampleRate rate_;
   int receiver_;
   RangingParameters parameters_;
   double centroid_s_, wavelength_;
-  Followed followed_;
+  Frames frames_;
+  std::vector<std::size_t> frame_of_;  // by source: where it does not move
   Predict predict_;
   std::size_t stretch_;  // slots
   std::deque<Kept> kept_;

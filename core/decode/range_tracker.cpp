@@ -20,6 +20,7 @@ constexpr double kForgetUnaided = 0.4;  // the same without words
 constexpr double kVelocityWalk = 0.02;      // m/s: noise of the accelerometers, readings joined by lines
 constexpr double kErrorTime = 0.7;          // seconds
 constexpr double kErrorShare = 0.02;        // of the relative acceleration
+constexpr double kLoose = 0.7;              // of what a single range's acceleration is off, that changes
 constexpr double kMostLoose = 6.0;          // m/s²
 constexpr double kTurnWalk = 0.001;         // rad
 constexpr double kTurnShare = 0.003;        // of the rate of turn
@@ -32,8 +33,9 @@ constexpr double kUnaidedPlaceWalk = 0.02;  // of these where no words tell how 
 // What bounds a state that few sources see: limbs come back to rest, slow down, and do not push for long.
 constexpr double kTether = 0.120, kTetherSources = 2.0;  // seconds from one reminder to the next
 constexpr double kTetherPlace = 1.0, kTetherSpeed = 2.8, kTetherAcceleration = 18.0, kTetherSource = 0.03;
-constexpr double kTetherSkeleton = 0.18, kTetherSkeletonSpeed = 0.85;  // of where the skeleton puts a board
-constexpr double kTetherGravity = 4.0;                                 // m/s², of the mean forces of two boards
+constexpr double kTetherSkeleton = 0.03;  // metres, more than is said about where the skeleton puts a board,
+constexpr double kTetherSkeletonSpeed = 0.08, kTetherSkeletonShare = 0.3;  // m/s, and of its speed
+constexpr double kTetherGravity = 4.0;                                     // m/s², of the mean forces of two boards
 
 double square(double x) {
   return x * x;
@@ -84,16 +86,19 @@ void RangeTracker::propagate(double dt, const TrackerStep& step) {
   const double age = std::abs(dt);
   const Matrix3d E = known ? geometry::exp_so3(-dt * step.source.w_C).toRotationMatrix() : Matrix3d::Identity();
   const double keep = known ? std::exp(-age / kErrorTime) : 1.0;
-  const Vector3d a = a_ + x_.segment<3>(6);
+  const Matrix3d turned =
+      known ? geometry::exp_so3(0.5 * dt * step.source.w_C).toRotationMatrix() : Matrix3d::Identity();
+  const Vector3d a = turned * a_ + x_.segment<3>(6);
   x_.head<3>() = E * (x_.head<3>() + dt * x_.segment<3>(3) + 0.5 * dt * dt * a);
   x_.segment<3>(3) = E * (x_.segment<3>(3) + dt * a);
   x_.segment<3>(6) *= keep;
   // F P, then (F P) Fᵀ, by blocks of three: most of F is zero.
-  const Matrix3d fx = known ? Matrix3d(-geometry::skew(f_C_)) : Matrix3d::Zero();
-  const double half = 0.5 * dt * dt;
+  const Matrix3d fx = known ? Matrix3d(-geometry::skew(turned * f_C_)) : Matrix3d::Zero();
+  const double square_half = 0.5 * dt * dt;
   {
     const Eigen::Matrix<double, 3, kStates> pushed = P_.middleRows<3>(6) + fx * P_.middleRows<3>(9);
-    const Eigen::Matrix<double, 3, kStates> p = E * (P_.middleRows<3>(0) + dt * P_.middleRows<3>(3) + half * pushed);
+    const Eigen::Matrix<double, 3, kStates> p =
+        E * (P_.middleRows<3>(0) + dt * P_.middleRows<3>(3) + square_half * pushed);
     const Eigen::Matrix<double, 3, kStates> v = E * (P_.middleRows<3>(3) + dt * pushed);
     const Eigen::Matrix<double, 3, kStates> theta = E * P_.middleRows<3>(9);
     P_.middleRows<3>(0) = p;
@@ -104,7 +109,8 @@ void RangeTracker::propagate(double dt, const TrackerStep& step) {
   {
     const Matrix3d Et = E.transpose();
     const Eigen::Matrix<double, kStates, 3> pushed = P_.middleCols<3>(6) + P_.middleCols<3>(9) * fx.transpose();
-    const Eigen::Matrix<double, kStates, 3> p = (P_.middleCols<3>(0) + dt * P_.middleCols<3>(3) + half * pushed) * Et;
+    const Eigen::Matrix<double, kStates, 3> p =
+        (P_.middleCols<3>(0) + dt * P_.middleCols<3>(3) + square_half * pushed) * Et;
     const Eigen::Matrix<double, kStates, 3> v = (P_.middleCols<3>(3) + dt * pushed) * Et;
     const Eigen::Matrix<double, kStates, 3> theta = P_.middleCols<3>(9) * Et;
     P_.middleCols<3>(0) = p;
@@ -159,10 +165,17 @@ double RangeTracker::loose_jerk(const TrackerStep& step) const {
   if (!aided_) {
     return 0.0;
   }
-  const double turned = std::sqrt(P_.block<3, 3>(9, 9).trace());
-  const double speed_sd = std::sqrt(P_.block<3, 3>(3, 3).trace());
-  const double r = std::max(0.2, (x_.head<3>() - step.source.place).norm());
-  const double loose = turned * a_.norm() + 2.0 * x_.segment<3>(3).norm() * std::min(1.0, speed_sd) / r;
+  const Vector3d way = x_.head<3>() - step.source.place;
+  const double r = std::max(0.2, way.norm());
+  const Vector3d u = way.normalized();
+  const auto sd = [&](int block, const Vector3d& h) {
+    return std::sqrt(std::max(0.0, h.dot(P_.block<3, 3>(block, block) * h)));
+  };
+  const auto across = [&](const Vector3d& h) { return Vector3d(h - u.dot(h) * u); };
+  const double turned = sd(9, a_.cross(u));
+  const double swung = 2.0 * sd(3, across(x_.segment<3>(3))) / r;
+  const double aside = sd(0, across(a_)) / r;
+  const double loose = kLoose * std::hypot(turned, swung, aside);
   return std::min(loose, kMostLoose) * std::sqrt(2.0 / kErrorTime);
 }
 
@@ -171,6 +184,25 @@ double RangeTracker::memory_s() {
 }
 double RangeTracker::velocity_walk() {
   return kVelocityWalk;
+}
+
+// The acceleration that words tell. Where they begin or end, what e means changes.
+void RangeTracker::feel(const TrackerStep& step) {
+  const bool aided = step.source.known && step.board.felt.known;
+  if (running_ && aided != aided_) {
+    x_.segment<3>(6) = aided ? Vector3d::Zero() : a_;
+    P_.middleRows<3>(6).setZero();
+    P_.middleCols<3>(6).setZero();
+    const double sd = aided ? 2.0 * kErrorSd : 3.0;
+    P_.block<3, 3>(6, 6) = sd * sd * Matrix3d::Identity();
+  }
+  aided_ = aided;
+  // Means over the step belong to its middle, orientation to its end.
+  const double half = 0.5 * step.source.dt;
+  const Quaterniond R_middle =
+      geometry::exp_so3(half * step.source.w_C) * R_CS_ * geometry::exp_so3(-half * step.board.felt.w_S);
+  f_C_ = aided ? Vector3d(R_middle * step.board.felt.f_S) : Vector3d::Zero();
+  a_ = aided ? Vector3d(f_C_ - step.source.f_C) : Vector3d::Zero();
 }
 
 void RangeTracker::advance(const TrackerStep& step) {
@@ -185,17 +217,7 @@ void RangeTracker::advance(const TrackerStep& step) {
     running_ = false;
     heard_.clear();
   }
-  if (running_ && aided != aided_) {
-    // What e means has changed.
-    x_.segment<3>(6) = aided ? Vector3d::Zero() : a_;
-    P_.middleRows<3>(6).setZero();
-    P_.middleCols<3>(6).setZero();
-    const double sd = aided ? 2.0 * kErrorSd : 3.0;
-    P_.block<3, 3>(6, 6) = sd * sd * Matrix3d::Identity();
-  }
-  aided_ = aided;
-  f_C_ = aided ? Vector3d(R_CS_ * step.board.felt.f_S) : Vector3d::Zero();
-  a_ = aided ? Vector3d(f_C_ - step.source.f_C) : Vector3d::Zero();
+  feel(step);
   board_ = step.board;
   time_s_ = std::max(time_s_, step.source.time_s);
   if (running_ && dt > 0.0) {
@@ -210,16 +232,7 @@ void RangeTracker::advance(const TrackerStep& step) {
 void RangeTracker::retreat(const TrackerStep& later) {
   const double dt = later.source.dt;
   const bool aided = later.source.known && later.board.felt.known;
-  if (aided != aided_) {
-    x_.segment<3>(6) = aided ? Vector3d::Zero() : a_;
-    P_.middleRows<3>(6).setZero();
-    P_.middleCols<3>(6).setZero();
-    const double sd = aided ? 2.0 * kErrorSd : 3.0;
-    P_.block<3, 3>(6, 6) = sd * sd * Matrix3d::Identity();
-    aided_ = aided;
-  }
-  f_C_ = aided ? Vector3d(R_CS_ * later.board.felt.f_S) : Vector3d::Zero();
-  a_ = aided ? Vector3d(f_C_ - later.source.f_C) : Vector3d::Zero();
+  feel(later);
   if (running_ && dt > 0.0) {
     propagate(-dt, later);
   }
@@ -250,8 +263,10 @@ void RangeTracker::bound(const TrackerStep& step) {
   const State before = x_;
   const BoardStep& board = step.board;
   for (int i = 0; i < 3; ++i) {
-    remind(i, board.placed ? board.place[i] : receiver_[i], board.placed ? kTetherSkeleton : kTetherPlace);
-    remind(3 + i, board.placed ? board.velocity[i] : 0.0, board.placed ? kTetherSkeletonSpeed : kTetherSpeed);
+    remind(i, board.placed ? board.place[i] : receiver_[i],
+           board.placed ? std::min(kTetherPlace, board.place_sd + kTetherSkeleton) : kTetherPlace);
+    remind(3 + i, board.placed ? board.velocity[i] : 0.0,
+           board.placed ? kTetherSkeletonSpeed + kTetherSkeletonShare * board.velocity.norm() : kTetherSpeed);
     if (!aided_) {
       remind(6 + i, 0.0, kTetherAcceleration);
     }

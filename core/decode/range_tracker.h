@@ -21,7 +21,7 @@ struct TrackerStep {
 };
 
 /// Error-state Kalman filter of inertial navigation relative to the sources, aided by ranges. State, in the frame C of
-/// the segment that most sources sit on (origin at its board, axes turning with it):
+/// one segment with sources (origin at its board, axes turning with it):
 ///   p  microphone, metres
 ///   v  its velocity, less that of the frame's origin, not less what the frame's turning adds, m/s
 ///   e  what is wrong with the acceleration that the two boards tell, m/s²; without words the acceleration itself
@@ -90,7 +90,7 @@ class RangeTracker {
   static constexpr int kMoving = 12;
   static constexpr int kFloat = kMoving + 3 * kSources;
   static constexpr int kStates = kFloat + kSources;
-  static constexpr double kErrorSd = 0.20;  // m/s², of e
+  static constexpr double kErrorSd = 0.12;  // m/s², of e
   using State = Eigen::Matrix<double, kStates, 1>;
   using Covariance = Eigen::Matrix<double, kStates, kStates>;
   struct Heard {
@@ -103,6 +103,7 @@ class RangeTracker {
     double distance, delay_s;
   };
   [[nodiscard]] Sight sight(int source, const SourceStep& step) const;
+  void feel(const TrackerStep& step);
   void propagate(double dt, const TrackerStep& step);
   void orient(const TrackerStep& step);
   [[nodiscard]] double loose_jerk(const TrackerStep& step) const;

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr int kContradictions = 10;
 constexpr double kMostBend = 0.3e-3;                          // metres
 constexpr double kFloatSd = 0.030;                            // metres
-constexpr double kSkeletonSd = 0.10, kSkeletonSpeedSd = 0.4;  // metres, m/s, of where the skeleton puts a board
+constexpr double kSkeletonSd = 0.03, kSkeletonSpeedSd = 0.4;  // metres, m/s, of where the skeleton puts a board
 
 }  // namespace
 
@@ -155,7 +155,7 @@ void RangeTracker::collect(int source, const SourceStep& step, double range, dou
 // Gauss–Newton with the place at rest as a weak prior.
 bool RangeTracker::solve(const Vector3d& guess, Vector3d& p, Matrix3d& P, double& cost) const {
   // Metres, of a microphone about where the skeleton puts it, or about its place at rest.
-  const double rest_sd = board_.placed ? kSkeletonSd : 0.30;
+  const double rest_sd = board_.placed ? kSkeletonSd + board_.place_sd : 0.30;
   const Vector3d about = board_.placed ? board_.place : receiver_;
   p = guess;
   for (int round = 0; round < 15; ++round) {

@@ -4,15 +4,6 @@
 #include <utility>
 
 namespace limbwave::decode {
-namespace {
-
-Eigen::Quaterniond rest_of(const BoxGeometry& geometry, int receiver) {
-  const auto w = static_cast<std::size_t>(receiver);
-  return w < geometry.R_CS_rest.size() ? geometry.R_CS_rest[w] : Eigen::Quaterniond::Identity();
-}
-
-}  // namespace
-
 std::string_view name(RangeVerdict verdict) {
   constexpr std::array<std::string_view, 7> kNames = {"accepted",     "nothing-heard", "too-weak", "ambiguous",
                                                       "inconsistent", "interrupted",   "disturbed"};
@@ -25,14 +16,12 @@ double pulse_middle_s(const RangingFormat& format, SampleRate rate, const PulseS
          shape.centroid_s();
 }
 
-RangingDecoder::RangingDecoder(const RangingFormat& format, SampleRate rate, int receiver,
-                               const RangingParameters& parameters, std::shared_ptr<const PulseShape> shape,
-                               const BoxGeometry& geometry)
-    : format_(format),
-      listener_(format, rate, parameters, std::move(shape)),
-      alone_(format, {}),
-      resolver_(format, rate, receiver, parameters, listener_.shape()->centroid_s(), rest_of(geometry, receiver),
-                geometry.reference >= 0 ? geometry.reference_place : Eigen::Vector3d::Zero()),
+RangingDecoder::RangingDecoder(SampleRate rate, int receiver, const std::vector<RangingFrame>& frames,
+                               const RangingParameters& parameters, std::shared_ptr<const PulseShape> shape)
+    : format_(frames.front().format),
+      listener_(format_, rate, parameters, std::move(shape)),
+      alone_(format_, {}),
+      resolver_(rate, receiver, frames, parameters, listener_.shape()->centroid_s()),
       rate_(rate) {}
 
 void RangingDecoder::push(const float* samples, std::size_t count, std::size_t stride) {
@@ -54,18 +43,23 @@ void RangingDecoder::finish() {
 void RangingDecoder::settle_alone() {
   for (const HeardSlot& heard : listener_.take()) {
     alone_.step(heard.source, pulse_middle_s(format_, rate_, *listener_.shape(), heard.slot), {});
-    resolver_.add(heard, {alone_.at(heard.slot), {}});
+    resolver_.add(heard, {{alone_.at(heard.slot), {}}});
     alone_.forget(heard.slot + 1);
   }
 }
 
-void RangingDecoder::settle(std::int64_t until, const SourceMotion& sources, int wire) {
+void RangingDecoder::settle(std::int64_t until, const std::vector<SourceMotion>& frames, int wire) {
   for (HeardSlot& heard : listener_.take()) {
     waiting_.push_back(heard);
   }
   while (!waiting_.empty() && waiting_.front().slot < until) {
     const HeardSlot& heard = waiting_.front();
-    resolver_.add(heard, {sources.at(heard.slot), sources.board(heard.slot, wire)});
+    std::vector<TrackerStep> steps;
+    steps.reserve(frames.size());
+    for (const SourceMotion& frame : frames) {
+      steps.push_back({frame.at(heard.slot), frame.board(heard.slot, wire)});
+    }
+    resolver_.add(heard, std::move(steps));
     waiting_.pop_front();
   }
 }

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/time.h"
@@ -24,7 +25,11 @@ class RangingDecoder {
 
   /// The first source fires at sample 0. `receiver` is what readings will carry. Decoders of one box may share a shape.
   RangingDecoder(const RangingFormat& format, SampleRate rate, int receiver, const RangingParameters& parameters = {},
-                 std::shared_ptr<const PulseShape> shape = nullptr, const BoxGeometry& geometry = {});
+                 std::shared_ptr<const PulseShape> shape = nullptr)
+      : RangingDecoder(rate, receiver, {{format, {}}}, parameters, std::move(shape)) {}
+  /// In several frames, of which the first has most sources. Every source is resolved in the frame that it is fixed in.
+  RangingDecoder(SampleRate rate, int receiver, const std::vector<RangingFrame>& frames,
+                 const RangingParameters& parameters, std::shared_ptr<const PulseShape> shape);
 
   [[nodiscard]] const std::shared_ptr<const PulseShape>& shape() const { return listener_.shape(); }
   /// What a pose filter expects of a source at a time; empty where it does not know.
@@ -40,8 +45,8 @@ class RangingDecoder {
   void listen(const float* samples, std::size_t count, std::size_t stride) { listener_.push(samples, count, stride); }
   void listen_gap(SampleCount count) { listener_.gap(count); }
   void listen_end() { listener_.finish(); }
-  /// Slots up to `until` (exclusive), for which `sources` has steps, as the board of `wire` felt them.
-  void settle(std::int64_t until, const SourceMotion& sources, int wire);
+  /// Slots up to `until` (exclusive), for which all `frames` have steps, as the board of `wire` felt them.
+  void settle(std::int64_t until, const std::vector<SourceMotion>& frames, int wire);
   void settle_end() { resolver_.finish(); }
   /// Slots that have been listened to.
   [[nodiscard]] std::int64_t heard_slots() const { return listener_.slots(); }

@@ -44,14 +44,17 @@ enum class RangingMethod {
 
 struct RangingParameters {
   RangingMethod method = RangingMethod::kCarrier;
-  double detection = 16.0;        ///< Energy of an arrival over the noise's after the matched filter.
-  double phase_sd = 0.15e-3;      ///< What calibration leaves of the sources' phases, metres.
-  double finest = 0.55e-3;        ///< A carrier whose phase is known worse than this is none, metres.
-  double placement_sd = 6e-3;     ///< How far sources and boards sit from where the rig says, metres.
-  double jerk = 40.0;             ///< White jerk of a limb whose words are not heard, m/s³ √s.
-  double failure = 5e-4;          ///< Probability of another whole number of cycles up to which one is accepted.
+  double detection = 16.0;     ///< Energy of an arrival over the noise's after the matched filter.
+  double phase_sd = 0.15e-3;   ///< What calibration leaves of the sources' phases, metres.
+  double finest = 0.55e-3;     ///< A carrier whose phase is known worse than this is none, metres.
+  double placement_sd = 6e-3;  ///< How far sources and boards sit from where the rig says, metres.
+  double jerk = 40.0;          ///< White jerk of a limb whose words are not heard, m/s³ √s.
+  double failure = 5e-4;       ///< Probability of another whole number of cycles up to which one is accepted.
+  /// The same of past and future together, where each is less sure, but both tell the same number: the product of
+  /// both failures, which are not quite independent of each other.
+  double joint_failure = 3e-4;
   double caution = 1.3;           ///< Of the envelope's variance: echoes that overlap, shapes that are not quite so.
-  double stray = 0.001;           ///< Probability that an expectation is far worse than it thinks,
+  double stray = 0.002;           ///< Probability that an expectation is far worse than it thinks,
   double stray_m = 4e-3;          ///< and by how much then, metres.
   double least_confidence = 0.1;  ///< Of an accepted range.
   double look_ahead_s = 1.0;      ///< A pulse is judged by what comes up to this later, too; 0: at once.

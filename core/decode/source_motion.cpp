@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "geometry/so3.h"
@@ -12,8 +13,13 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kLevel = 2.0;    // seconds in which gravity corrects a segment's inclination
-constexpr double kReturn = 20.0;  // seconds in which a heading that nothing tells goes back to rest
+constexpr double kLevel = 2.0;           // seconds in which gravity corrects a segment's inclination
+constexpr double kReturn = 20.0;         // seconds in which a heading that nothing tells goes back to rest
+constexpr double kHeadingMemory = 20.0;  // seconds, of what forces at joints tell about headings
+constexpr double kForceNoise = 0.8;  // m/s² √s: of forces at a joint as two boards tell them, with skin and levers
+constexpr double kHeadingUnknown = 0.8;  // radians, where joints have told nothing
+constexpr double kHeadingSd = 0.05;      // radians, at best
+constexpr double kPlaceSd = 0.015;       // metres, of a board whose ways are well known
 
 }  // namespace
 
@@ -21,6 +27,16 @@ SourceMotion::SourceMotion(const RangingFormat& format, BoxGeometry geometry)
     : sources_(format.sources), geometry_(std::move(geometry)) {
   if (geometry_.reference >= 0) {
     boards_.resize(geometry_.R_CS_rest.size());
+    joints_.resize(boards_.size());
+    for (std::size_t w = 0; w < boards_.size() && w < geometry_.boards.size(); ++w) {
+      const std::vector<BoxGeometry::Link>& way = geometry_.boards[w];
+      const auto own = std::find_if(way.begin(), way.end(),
+                                    [&](const BoxGeometry::Link& link) { return link.wire == static_cast<int>(w); });
+      if (own != way.end()) {
+        joints_[w] = {own == way.begin() ? geometry_.reference : std::prev(own)->wire, own->from, true};
+        joints_[w].known = joints_[w].before >= 0;
+      }
+    }
   }
 }
 
@@ -29,11 +45,17 @@ void SourceMotion::turn(std::size_t wire, const SourceStep& step, const FeltMoti
   Board& board = boards_[wire];
   board.turning = 0.0;
   if (!step.known || !felt.known) {
+    board.felt = board.felt_before = false;
     return;
   }
   const Quaterniond& R = geometry_.R_CS_rest[wire];
   const Vector3d w = R * felt.w_S;
   const Vector3d f = R * felt.f_S;
+  board.w_dot = (w - board.w) / step.dt;
+  board.w = w;
+  board.f = f;
+  board.felt_before = board.felt;
+  board.felt = !felt.saturated;
   if (!board.started) {
     board.turned = geometry::shortest_arc(f, step.f_C);
     board.f_mean = board.f_mean_C = step.f_C;
@@ -48,9 +70,61 @@ void SourceMotion::turn(std::size_t wire, const SourceStep& step, const FeltMoti
   board.f_mean_C = back * board.f_mean_C + share * (step.f_C - board.f_mean_C);
   const Vector3d up = board.f_mean_C.normalized();
   const Vector3d level = board.f_mean.normalized().cross(up);
-  const Vector3d heading = -up * up.dot(geometry::log_so3(board.turned)) * (step.dt / kReturn);
+  const double untold = 1.0 / (1.0 + board.information);
+  const Vector3d heading = -up * up.dot(geometry::log_so3(board.turned)) * (untold * step.dt / kReturn);
   board.turned = (geometry::exp_so3(share * level + heading) * board.turned).normalized();
   board.f_mean += (share * level).cross(board.f_mean);
+}
+
+// Both boards beside a joint feel what the joint does; gravity says nothing about headings, but every level force does.
+void SourceMotion::head(std::size_t wire, const SourceStep& step) {
+  const Joint& joint = joints_[wire];
+  Board& board = boards_[wire];
+  if (!joint.known || !board.started) {
+    return;
+  }
+  const Board& before = boards_[static_cast<std::size_t>(joint.before)];
+  const double keep = std::exp(-step.dt / kHeadingMemory);
+  board.cross *= keep;
+  board.dot *= keep;
+  board.information *= keep;
+  if (!before.started || !board.felt_before || !before.felt_before || !board.felt || !before.felt) {
+    return;
+  }
+  const auto at_joint = [&](const Board& b, const Vector3d& from) {
+    const Vector3d r = joint.place - from;
+    return Vector3d(b.turned * (b.f + b.w_dot.cross(r) + b.w.cross(b.w.cross(r))));
+  };
+  const Vector3d up = board.f_mean_C.normalized();
+  const auto level = [&](const Vector3d& v) { return Vector3d(v - up.dot(v) * up); };
+  const Vector3d own = level(at_joint(board, geometry_.board_places[wire]));
+  const Vector3d other = level(at_joint(before, geometry_.board_places[static_cast<std::size_t>(joint.before)]));
+  board.cross += step.dt * up.dot(own.cross(other));
+  board.dot += step.dt * own.dot(other);
+  board.information += step.dt * own.norm() * other.norm() / (kForceNoise * kForceNoise);
+  const double off = std::atan2(board.cross, board.dot);
+  const double sure = board.information / (board.information + 1.0);
+  const double turn = std::min(1.0, step.dt / 0.5) * sure * off;
+  board.turned = (geometry::exp_so3(turn * up) * board.turned).normalized();
+  board.f_mean = geometry::exp_so3(turn * up) * board.f_mean;
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  const double cross = c * board.cross - s * board.dot;
+  board.dot = c * board.dot + s * board.cross;
+  board.cross = cross;
+}
+
+// Every piece of the way is off by its length times what is not known of its board's heading.
+double SourceMotion::place_sd(std::size_t wire) const {
+  const std::vector<BoxGeometry::Link>& way = geometry_.boards[wire];
+  double variance = kPlaceSd * kPlaceSd;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Vector3d piece = (i + 1 < way.size() ? way[i + 1].from : geometry_.board_places[wire]) - way[i].from;
+    const double known = way[i].wire >= 0 ? boards_[static_cast<std::size_t>(way[i].wire)].information : 0.0;
+    const double sd = kHeadingSd + kHeadingUnknown / (1.0 + known);
+    variance += piece.squaredNorm() * sd * sd;
+  }
+  return std::sqrt(variance);
 }
 
 const SourceMotion::Board* SourceMotion::carrier(const std::vector<BoxGeometry::Link>& way) const {
@@ -88,12 +162,16 @@ void SourceMotion::step(int source, double time_s, const std::vector<InertialTra
       turn(w, step, boards[w].felt);
     }
     for (std::size_t w = 0; w < boards_.size(); ++w) {
+      head(w, step);
+    }
+    for (std::size_t w = 0; w < boards_.size(); ++w) {
       Board& board = boards_[w];
       boards[w].placed = step.known && board.started && board.placed;
       const Vector3d place = reached(geometry_.boards[w], geometry_.board_places[w]) - geometry_.reference_place;
       boards[w].R_CS = board.turned * geometry_.R_CS_rest[w];
       boards[w].place = place;
       boards[w].velocity = (place - board.place) / step.dt + step.w_C.cross(place);
+      boards[w].place_sd = place_sd(w);
       board.place = place;
       board.placed = board.started;
     }

@@ -13,7 +13,7 @@
 
 namespace limbwave::decode {
 
-/// How boards and sources hang together. Frame C is that of the segment that most sources sit on; places are in C, at
+/// How boards and sources hang together. Frame C is that of one segment with sources; places are in C, at
 /// rest, metres.
 struct BoxGeometry {
   /// One piece of the way from C to a point: from `from` on, the way turns with the board of `wire`.
@@ -36,6 +36,7 @@ struct BoardStep {
   Eigen::Quaterniond R_CS = Eigen::Quaterniond::Identity();  ///< Its axes to C, good to a few degrees, heading less.
   /// From the reference board, in C, and its change in axes that do not turn; m, m/s: good to a tenth of a limb.
   Eigen::Vector3d place = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
+  double place_sd = 0.0;  ///< Of `place`, metres: by what the headings on the way are known.
 };
 
 /// One slot: what the frame did since the slot before, and the source that fires.
@@ -75,18 +76,32 @@ class SourceMotion {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     double turning = 0.0;
     bool started = false, placed = false;
+    // In its own axes as they are C's at rest: means over the last slot, and angular acceleration.
+    Eigen::Vector3d w = Eigen::Vector3d::Zero(), f = Eigen::Vector3d::Zero(), w_dot = Eigen::Vector3d::Zero();
+    bool felt = false, felt_before = false;
+    // Level forces at the joint as the next board feels them and as this one does: Σ cross, Σ dot, Σ squares.
+    double cross = 0.0, dot = 0.0, information = 0.0;
+  };
+  /// The joint between a board and the one before it on the way from C (-1: C's own).
+  struct Joint {
+    int before = -1;
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  // at rest, in C
+    bool known = false;
   };
   struct Step {
     SourceStep source;
     std::vector<BoardStep> boards;
   };
   void turn(std::size_t wire, const SourceStep& step, const FeltMotion& felt);
+  void head(std::size_t wire, const SourceStep& step);
+  [[nodiscard]] double place_sd(std::size_t wire) const;
   [[nodiscard]] Eigen::Vector3d reached(const std::vector<BoxGeometry::Link>& way, const Eigen::Vector3d& end) const;
   [[nodiscard]] const Board* carrier(const std::vector<BoxGeometry::Link>& way) const;
 
   std::vector<RangingSource> sources_;
   BoxGeometry geometry_;
   std::vector<Board> boards_;
+  std::vector<Joint> joints_;  // by wire
   std::deque<Step> steps_;
   std::int64_t first_ = 0;
   double last_s_ = -1.0;

@@ -37,7 +37,7 @@ struct BodyFilterParameters {
   double gyroscope_noise = 0.002;        ///< rad/s (Vlasic et al. 2007, §5.2).
   double gyroscope_relative = 0.02;      ///< Scale, and skin that does not turn with the bone.
   double accelerometer_noise = 0.02;     ///< m/s² (§5.2).
-  double accelerometer_relative = 0.03;  ///< Scale, cross-axis, skin.
+  double accelerometer_relative = 0.05;  ///< Scale, cross-axis; skin that shifts in step with the motion.
   double range_noise = 0.0025;           ///< m (§5.2), divided by the confidence.
   double range_model = 0.0043;           ///< m: skin that slides under boards and sources.
   double reading_delay_s = 0.0;          ///< By which inertial readings are late, s; poses are carried forward by it.

@@ -28,6 +28,7 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
     run.step(i);
     if (run.wanted[i] != 0) {
       append_pose(run.filter, run.filter.state(), result.track);
+      result.log_likelihoods.push_back(run.filter.log_likelihood());
       const ErrorCovariance& P = run.filter.covariance();
       append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints,
                               joint_covariance(P.row(0), P.stride(), dofs), {}),

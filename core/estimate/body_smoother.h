@@ -31,6 +31,7 @@ struct BodyRun {
   Diagnostics diagnostics;
   BodyState last;  ///< The filter's mind at the end.
   double log_likelihood = 0.0;
+  std::vector<double> log_likelihoods;  ///< Of the filter, per pose of its track: of all readings up to there.
   std::vector<ReadingCount> gyroscopes, accelerometers, ranges;
 };
 

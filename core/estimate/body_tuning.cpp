@@ -49,8 +49,13 @@ BodyReadings beginning(const BodyReadings& readings, double seconds) {
 // gating. Half of the gate's χ² and the logarithm of a usual density.
 constexpr double kGated = 20.0;
 
-double score(const BodyRun& run) {
+double score(const BodyRun& run, double settles_s) {
   double all = run.log_likelihood;
+  const std::vector<double>& times = run.track.times;
+  if (!times.empty() && times.back() - times.front() > 2.0 * settles_s) {
+    const auto settled = std::lower_bound(times.begin(), times.end(), times.front() + settles_s);
+    all -= run.log_likelihoods[static_cast<std::size_t>(settled - times.begin())];
+  }
   for (const auto* counts : {&run.gyroscopes, &run.accelerometers, &run.ranges}) {
     for (const ReadingCount& count : *counts) {
       all -= kGated * static_cast<double>(count.gated);
@@ -91,7 +96,7 @@ Result<BodyTuning> tune_body(const BodyModel& model, const BodyFilterParameters&
       failed = run.error();
       return std::nan("");
     }
-    return score(*run);
+    return score(*run, settings.settles_s);
   };
   double best = likelihood(octaves);
   BodyTuning tuning;

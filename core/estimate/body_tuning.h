@@ -1,6 +1,6 @@
 /// Noises of the body filter found from a recording itself: those under which its readings are the most likely.
 ///
-/// The likelihood of all readings is that of the innovations (Schweppe 1965), which the filter has anyway. What is
+/// The likelihood of readings is that of the innovations (Schweppe 1965), which the filter has anyway. What is
 /// tuned are factors on groups of standard deviations that a recording can tell apart: how lively the wearer moves, how
 /// noisy words and ranges are.
 #pragma once
@@ -18,7 +18,8 @@ namespace limbwave::estimate {
 
 struct BodyTuningSettings {
   double seconds = 12.0;   ///< From the beginning of the recording: the start, and some of the motion.
-  double most = 8.0;       ///< Factors are looked for from 1 / most to most.
+  double settles_s = 3.0;  ///< So much of it does not count, if there is twice as much: what the start did wrong.
+  double most = 4.0;       ///< Factors are looked for from 1 / most to most.
   double accuracy = 0.15;  ///< Of a factor's logarithm to base 2.
 };
 

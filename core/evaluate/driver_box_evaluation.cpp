@@ -47,6 +47,9 @@ Result<DriverBoxTruth> load_driver_box_truth(const std::filesystem::path& file) 
       truth.pulses.push_back(std::move(pulse));
     }
     truth.speed_of_sound = json->value("speed_of_sound_m_s", 0.0);
+    if (json->contains("errors")) {
+      truth.snr_db = json->at("errors").value("snr_db", truth.snr_db);
+    }
     for (const nlohmann::json& board : json->at("words")) {
       auto& frames = truth.words.emplace_back();
       for (const nlohmann::json& row : board.at("frames")) {

@@ -202,13 +202,17 @@ Result<Ran> run_and_put_right(const estimate::BodyModel& model, const estimate::
 
 Diagnostic tell(const estimate::BodyTuning& tuning) {
   std::string factors;
+  bool at_end = false;
   for (const estimate::TunedNoise& noise : tuning.noises) {
     factors += fmt::format("{}{} × {:.2f}", factors.empty() ? "" : ", ", noise.what, noise.factor);
+    at_end = at_end || std::abs(std::log2(noise.factor)) > 0.95 * std::log2(estimate::BodyTuningSettings{}.most);
   }
-  return {Severity::kInfo, "body.tuned",
-          fmt::format("noises by the likelihood of the first {:.0f} s: {}; its logarithm rose by {:.0f}",
-                      tuning.seconds, factors, tuning.after - tuning.before),
-          "", ""};
+  return {
+      Severity::kInfo, "body.tuned",
+      fmt::format("noises by the likelihood of the first {:.0f} s: {}; its logarithm rose by {:.0f}", tuning.seconds,
+                  factors, tuning.after - tuning.before),
+      at_end ? "a factor at the end of its range says that the errors are not noise: compare with a solve without" : "",
+      ""};
 }
 
 // How far the root may be off in the end: said, not hidden.

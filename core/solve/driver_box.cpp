@@ -126,6 +126,48 @@ decode::BoxGeometry box_geometry(const body::Rig& rig, const body::Skeleton& ske
   return geometry;
 }
 
+// Everything in the frame of one segment.
+decode::DriverBoxFormat::Frame frame_of(const body::Rig& rig, const body::Skeleton& skeleton,
+                                        const std::vector<body::SegmentPose>& poses, decode::RangingFormat common,
+                                        int reference, const calibrate::RangingCalibration& calibration) {
+  decode::DriverBoxFormat::Frame in;
+  const body::SegmentPose& frame = poses[static_cast<std::size_t>(reference)];
+  for (std::size_t s = 0; s < rig.sources.size(); ++s) {
+    const body::Source& worn = rig.sources[s];
+    const int segment = std::max(0, skeleton.find(worn.segment));
+    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
+    decode::RangingSource source;
+    source.position = frame.R_WL.conjugate() * Vector3d(pose.p_WL + pose.R_WL * worn.p_LS - frame.p_WL);
+    source.normal = frame.R_WL.conjugate() * Vector3d(pose.R_WL * worn.normal_L);
+    source.fixed = segment == reference;
+    if (s < calibration.sources.size()) {
+      source.delay_s = calibration.sources[s].delay_s;
+      source.phase = calibration.sources[s].phase;
+      source.phase_2 = calibration.sources[s].phase_2;
+      source.level = calibration.sources[s].level;
+    }
+    common.sources.push_back(source);
+  }
+  in.geometry = box_geometry(rig, skeleton, poses, reference);
+  for (std::size_t s = 0; s < rig.sources.size(); ++s) {
+    // What a joint does between two segments without a board is not told.
+    common.sources[s].wander = in.geometry.complete[s] ? kWander : kLooseWander;
+  }
+  for (const body::Microphone& microphone : rig.microphones) {
+    decode::RangingFormat wire = common;
+    const int segment = std::max(0, skeleton.find(microphone.segment));
+    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
+    wire.receiver = frame.R_WL.conjugate() * Vector3d(pose.p_WL + pose.R_WL * microphone.p_LS - frame.p_WL);
+    for (std::size_t s = 0; s < rig.sources.size(); ++s) {
+      wire.sources[s].reach =
+          0.03 + kReachMargin * longest_way(skeleton, std::max(0, skeleton.find(rig.sources[s].segment)),
+                                            rig.sources[s].p_LS, segment, microphone.p_LS);
+    }
+    in.wires.push_back(std::move(wire));
+  }
+  return in;
+}
+
 }  // namespace
 
 calibrate::RangingCalibration ranging_calibration(const take::TakeInfo& info) {
@@ -170,39 +212,17 @@ decode::DriverBoxFormat driver_box_format(const body::Rig& rig, const body::Skel
       reference = segment;
     }
   }
-  const body::SegmentPose& frame = poses[static_cast<std::size_t>(reference)];
-  for (std::size_t s = 0; s < rig.sources.size(); ++s) {
-    const body::Source& worn = rig.sources[s];
-    const int segment = std::max(0, skeleton.find(worn.segment));
-    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
-    decode::RangingSource source;
-    source.position = frame.R_WL.conjugate() * Vector3d(pose.p_WL + pose.R_WL * worn.p_LS - frame.p_WL);
-    source.normal = frame.R_WL.conjugate() * Vector3d(pose.R_WL * worn.normal_L);
-    source.fixed = segment == reference;
-    if (s < calibration.sources.size()) {
-      source.delay_s = calibration.sources[s].delay_s;
-      source.phase = calibration.sources[s].phase;
-      source.phase_2 = calibration.sources[s].phase_2;
-      source.level = calibration.sources[s].level;
+  const auto in_frame = [&](int segment) { return frame_of(rig, skeleton, poses, common, segment, calibration); };
+  decode::DriverBoxFormat::Frame first = in_frame(reference);
+  format.wires = std::move(first.wires);
+  format.geometry = std::move(first.geometry);
+  for (const auto& [segment, count] : sources_on) {
+    if (count > 0 && segment != reference && format.geometry.reference >= 0) {
+      decode::DriverBoxFormat::Frame other = in_frame(segment);
+      if (other.geometry.reference >= 0) {
+        format.others.push_back(std::move(other));
+      }
     }
-    common.sources.push_back(source);
-  }
-  format.geometry = box_geometry(rig, skeleton, poses, reference);
-  for (std::size_t s = 0; s < rig.sources.size(); ++s) {
-    // What a joint does between two segments without a board is not told.
-    common.sources[s].wander = format.geometry.complete[s] ? kWander : kLooseWander;
-  }
-  for (const body::Microphone& microphone : rig.microphones) {
-    decode::RangingFormat wire = common;
-    const int segment = std::max(0, skeleton.find(microphone.segment));
-    const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
-    wire.receiver = frame.R_WL.conjugate() * Vector3d(pose.p_WL + pose.R_WL * microphone.p_LS - frame.p_WL);
-    for (std::size_t s = 0; s < rig.sources.size(); ++s) {
-      wire.sources[s].reach =
-          0.03 + kReachMargin * longest_way(skeleton, std::max(0, skeleton.find(rig.sources[s].segment)),
-                                            rig.sources[s].p_LS, segment, microphone.p_LS);
-    }
-    format.wires.push_back(std::move(wire));
   }
   return format;
 }

@@ -1,9 +1,7 @@
 // What ranging must reach on simulated takes, as `limbwave evaluate` measures it.
 #include <gtest/gtest.h>
 
-#include "base/units.h"
-#include "evaluate/driver_box_evaluation.h"
-#include "solve/driver_box.h"
+#include "support/ranging_take.h"
 #include "support/simulated_take.h"
 
 namespace limbwave {
@@ -26,23 +24,11 @@ evaluate::RangeStatistics measured(const Case& c, decode::RangingMethod method =
   settings.seed = c.seed;
   settings.seconds = 12.0;
   require(simulate::simulate_take(folder.path() / "a.take", settings, {}));
-  const take::Take take = require(take::open_take(folder.path() / "a.take"));
-  const auto truth = require(evaluate::load_driver_box_truth(take.folder / "truth.json"));
-  const body::DriverBoxSignal& box = take.info.rig.driver_box.value();
-  evaluate::DriverBoxComparison comparison(truth, take.info.format.rate.hz, box.pulse_hz,
-                                           solve::ranging_calibration(take.info).speed_of_sound,
-                                           box.gyroscope_range_rad_s, box.accelerometer_range_g * kStandardGravity);
+  const auto take = require(testing_support::open_ranging_take(folder.path() / "a.take"));
+  evaluate::DriverBoxComparison comparison = take->comparison();
   decode::DriverBoxParameters parameters;
   parameters.ranging.method = method;
-  (void)require(solve::decode_driver_box(
-      take, parameters,
-      [&](std::span<const decode::RangeReading> ranges, std::span<const decode::InertialReading>) -> Status {
-        for (const decode::RangeReading& reading : ranges) {
-          comparison.add(reading);
-        }
-        return {};
-      },
-      {}));
+  (void)require(take->decode(parameters, [&](const decode::RangeReading& reading) { comparison.add(reading); }));
   const evaluate::RangeStatistics r = comparison.ranges();
   std::printf(
       "%s, %s, seed %d: %.1f %% of %d clear pairs, median %.3f mm, 95 %% %.3f mm, slips %.1e, > 20 mm %.1e, "
@@ -71,12 +57,11 @@ TEST(RangingBars, CarrierPhase) {
   }
 }
 
-// Chips, skin and bones as the paper met them, and feet and hands that are heard at 12 to 18 dB now and then: fewer
-// pairs are resolved than the 85 % of calibrated takes, but what is told is right.
+// Chips, skin and bones as the paper met them, and feet and hands that are heard at 12 to 18 dB now and then.
 TEST(RangingBars, CarrierPhaseOfTheWholeBody) {
   for (const Case& c : {Case{"squat", "paper", 33}, Case{"walk", "paper", 34}}) {
     const evaluate::RangeStatistics r = measured(c);
-    EXPECT_GE(static_cast<double>(r.clear_accepted), 0.6 * static_cast<double>(r.clear)) << c.motion;
+    EXPECT_GE(static_cast<double>(r.clear_accepted), 0.8 * static_cast<double>(r.clear)) << c.motion;
     EXPECT_LE(r.median_mm, 0.3) << c.motion;
     EXPECT_LE(r.p95_mm, 1.0) << c.motion;
     EXPECT_LE(r.slips, 2e-3) << c.motion;

@@ -769,6 +769,7 @@ inline constexpr const char* kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "such movements need sensors of a wider range"),
     QT_TRANSLATE_NOOP("Core", "the cost of the whole take fell by %1 % in %2 rounds"),
     QT_TRANSLATE_NOOP("Core", "noises by the likelihood of the first %1 s: %2; its logarithm rose by %3"),
+    QT_TRANSLATE_NOOP("Core", "a factor at the end of its range says that the errors are not noise: compare with a solve without"),
     QT_TRANSLATE_NOOP("Core", "the root's place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)"),
     QT_TRANSLATE_NOOP("Core", "choose --root contacts for somebody who walks, or give the root's path"),
     QT_TRANSLATE_NOOP("Core", "a smoother looks to both sides and cannot resume"),

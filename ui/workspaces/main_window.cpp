@@ -17,6 +17,7 @@
 
 #include "common/icons.h"
 #include "common/theme.h"
+#include "workspaces/button_keys.h"
 #include "workspaces/dock_title.h"
 #include "workspaces/inspector_pages.h"
 #include "workspaces/job_bar.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(StudioContext& context, StudioParts parts, QWidget* paren
   make_actions();
   follow_context();
   qApp->installEventFilter(new UndoKeys(this));
+  qApp->installEventFilter(new ButtonKeys(this));
   resize(QSize(1440, 900).boundedTo(screen()->availableSize() * 0.95));
   setMinimumSize(QSize(960, 600).boundedTo(screen()->availableSize()));
   restore_layout(*this, context_.settings());

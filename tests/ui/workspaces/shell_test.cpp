@@ -275,6 +275,17 @@ class ShellTest : public QObject {
     QCOMPARE(studio.model->state(), SolveState::kNoTake);
   }
 
+  void return_presses_the_main_button_of_a_page() {
+    StudioFixture studio(services());
+    QVERIFY(QTest::qWaitForWindowActive(studio.window.get()));
+    auto* create = studio.window->findChild<QPushButton*>(QStringLiteral("welcome_new_take"));
+    create->setFocus();
+    QTest::keyClick(create, Qt::Key_Return, Qt::ControlModifier);
+    QCOMPARE(studio.window->current_workspace(), QStringLiteral("welcome"));
+    QTest::keyClick(create, Qt::Key_Return);
+    QCOMPARE(studio.window->current_workspace(), QStringLiteral("capture"));
+  }
+
   void shortcuts_are_listed_and_none_is_used_twice() {
     StudioFixture studio(services());
     std::set<QString> used;
