@@ -9,6 +9,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kSchema = 2;  // 1 had its states in another order
+
 json list(const Eigen::VectorXd& v) {
   return std::vector<double>(v.data(), v.data() + v.size());
 }
@@ -77,7 +79,7 @@ std::string mind_to_text(const BodyMind& mind) {
                    {"range_offset", s.range_offset},
                    {"bone_scale", s.bone_scale},
                    {"sound_scale", s.sound_scale}};
-  const json all{{"schema", 1},
+  const json all{{"schema", kSchema},
                  {"kind", "body-filter-state"},
                  {"states", mind.states},
                  {"boards", mind.boards},
@@ -100,6 +102,9 @@ Result<BodyMind> mind_from_text(const std::string& text, const std::string& plac
       {"schema", "kind", "states", "boards", "state", "next_prior_s", "watch", "covariance", "covariance_above"});
   if (reader.at("kind").string() != "body-filter-state" && !problems.error) {
     reader.at("kind").fail("is not \"body-filter-state\"", "give a file that was saved by --save-state");
+  }
+  if (reader.at("schema").integer(1, 1 << 16) != kSchema && !problems.error) {
+    reader.at("schema").fail("is of another version", "save the state again with this version");
   }
   if (problems.error) {
     return *problems.error;

@@ -23,8 +23,9 @@ struct BodySolveSettings {
   bool by_past = false;
   /// Words of a driver box's boards are read at common instants (solve/word_alignment.h): ten times as fast.
   bool align_words = true;
-  bool optimise = false;  ///< With `smooth`: rounds of it, each linearised about the one before (estimate/body_batch.h).
-  bool tune = false;      ///< Noises are found from the take's first seconds (estimate/body_tuning.h).
+  bool optimise =
+      false;          ///< With `smooth`: rounds of it, each linearised about the one before (estimate/body_batch.h).
+  bool tune = false;  ///< Noises are found from the take's first seconds (estimate/body_tuning.h).
 };
 
 /// The parameters that suit a model: what a rig of one free sensor needs is not what a body needs.

@@ -25,6 +25,7 @@ using std::chrono::steady_clock;
 
 constexpr int kWires = 18;
 constexpr int kSources = 8;
+constexpr int kPeriod = 8192;
 constexpr auto kPatience = seconds(40);
 
 // How many samples sound needs from a source to a wire's microphone.
@@ -137,7 +138,7 @@ class DriverBoxCard : public testing::Test {
     if (!test::JackServer::available(why_not)) {
       GTEST_SKIP() << why_not;
     }
-    server_ = std::make_unique<test::JackServer>(192000, 20, 20, 8192);
+    server_ = std::make_unique<test::JackServer>(192000, 20, 20, kPeriod);
     witness_ = std::make_unique<test::JackWitness>(kPatience);
     ASSERT_TRUE(witness_->answers()) << server_->log();
     settings_.client = "box";
@@ -166,6 +167,8 @@ class DriverBoxCard : public testing::Test {
   }
   // By the server's own account: a machine that is too busy to keep time loses some, and nothing else may.
   [[nodiscard]] int lost_periods() const { return witness_->lost_periods(); }
+  // Slots that periods which the server lost may have spoilt: the room is a client of it and misses them too.
+  [[nodiscard]] int touched() const { return lost_periods() * (kPeriod / settings_.slot_samples + 2) * kWires; }
   void listen(Heard& heard, std::int64_t frames) {
     const auto limit = steady_clock::now() + kPatience;
     while (heard.frames() < frames && steady_clock::now() < limit) {
@@ -236,7 +239,7 @@ TEST_F(DriverBoxCard, SourcesAndMicrophonesStayTogetherToTheSample) {
   }
   ASSERT_TRUE(marked) << "no mark is heard though the server has lost nothing";
   const Slots slots = look(heard, schedule, settings_.slot_samples);
-  EXPECT_EQ(slots.wrong, 0);
+  EXPECT_LE(slots.wrong, touched());
   std::printf("%d pulses right, %zu events, %d periods lost\n", slots.right, heard.events.size(), lost_periods());
   if (lost_periods() == 0) {
     EXPECT_TRUE(heard.events.empty()) << heard.events.front().kind << ": " << heard.events.front().text;
@@ -257,7 +260,7 @@ TEST_F(DriverBoxCard, AScheduleWithSilenceIsPlayedAsItIs) {
     return;
   }
   const Slots slots = look(heard, schedule, settings_.slot_samples);
-  EXPECT_EQ(slots.wrong, 0);
+  EXPECT_LE(slots.wrong, touched());
   if (lost_periods() == 0) {
     EXPECT_TRUE(heard.events.empty()) << heard.events.front().kind << ": " << heard.events.front().text;
     EXPECT_GT(slots.silent, 100);

