@@ -3577,6 +3577,14 @@
         <source>a factor at the end of its range says that the errors are not noise: compare with a solve without</source>
         <translation>ein Faktor am Ende seines Bereichs besagt, dass die Fehler kein Rauschen sind: mit einer Berechnung ohne ihn vergleichen</translation>
     </message>
+    <message>
+        <source>is of another version</source>
+        <translation>stammt von einer anderen Version</translation>
+    </message>
+    <message>
+        <source>save the state again with this version</source>
+        <translation>den Zustand mit dieser Version neu speichern</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>

@@ -344,8 +344,8 @@ void add_record(CLI::App& app, Console& console) {
       ->capture_default_str();
   command->add_option("--errors", options->errors, "Error profile of the simulator")->capture_default_str();
   command->footer(
-      "Examples: limbwave record walk.take --device default --seconds 60\n"
-      "          limbwave record walk.take --driver-box /dev/ttyACM0 --live");
+      "Example: limbwave record walk.take --device default --seconds 60\n"
+      "         limbwave record walk.take --driver-box /dev/ttyACM0 --live");
   add_json_option(*command, options->json, "Write what was recorded as JSON");
   command->callback([options, command, &console] {
     const bool as_json = command->count("--json") > 0;

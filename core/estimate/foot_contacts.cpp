@@ -124,9 +124,11 @@ FootContacts::Decision FootContacts::decide(const BodyFilter& filter, std::size_
     const bool own = soles_[i].board >= 0 && usable_[static_cast<std::size_t>(soles_[i].board)] != 0 &&
                      !words_[static_cast<std::size_t>(soles_[i].board)].empty();
     bool stands = foot.standing;
-    if (own && std::isfinite(statistic(soles_[i].board, false))) {
-      // Slow to believe, quick to doubt: what begins to swing has speed before its window shows it.
-      stands = statistic(soles_[i].board, true) < p.leave && (foot.standing || statistic(soles_[i].board, false) < 1.0);
+    const double lately = own ? statistic(soles_[i].board, false) : INFINITY;
+    if (std::isfinite(lately)) {
+      // Slow to believe, quick to doubt: what begins to swing has speed before its window shows it, and what swings
+      // slowly shows it in its window alone.
+      stands = statistic(soles_[i].board, true) < p.leave && lately < (foot.standing ? p.doubt : 1.0);
     } else {
       const double speed = point.v.norm();
       const bool low = !foot.levelled || std::abs(point.p.z() - foot.ground) < p.low;

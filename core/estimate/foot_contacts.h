@@ -28,7 +28,9 @@ struct ContactParameters {
   double window_s = 0.08;              ///< Over which boards are judged.
   double rate = 1.2;                   ///< rad/s: a standing foot turns less.
   double force = 2.5;                  ///< m/s²: its specific force is gravity within this, and the same.
-  double leave = 6.0;                  ///< Hysteresis: the statistic (1 at the two above) at which a foot is lifted.
+  double leave = 6.0;                  ///< Hysteresis: the statistic (1 at the two above) of one word at which a foot
+                                       ///< is lifted,
+  double doubt = 2.0;                  ///< and that of the window.
   double slow = 0.35, lifted = 0.7;    ///< m/s: speeds at which a foot without a board stands and is lifted.
   double low = 0.05;                   ///< m above its ground within which it may stand.
   double velocity_noise = 0.05;        ///< m/s, of a standing foot; one look is as good as independent of the next.

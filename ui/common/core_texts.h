@@ -327,6 +327,8 @@ inline constexpr const char* kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "is not of length 1"),
     QT_TRANSLATE_NOOP("Core", "is not \"body-filter-state\""),
     QT_TRANSLATE_NOOP("Core", "give a file that was saved by --save-state"),
+    QT_TRANSLATE_NOOP("Core", "is of another version"),
+    QT_TRANSLATE_NOOP("Core", "save the state again with this version"),
     QT_TRANSLATE_NOOP("Core", "has not as many entries as the states need"),
     QT_TRANSLATE_NOOP("Core", "\"%1\" moved in the first second: its gyroscope's bias is not known"),
     QT_TRANSLATE_NOOP("Core", "begin with a second of standing still"),
