@@ -40,6 +40,7 @@ void AtomicFile::append(std::string_view bytes) {
   }
   if (bytes.size() >= kBuffer) {
     write_at(flushed_, bytes);
+    start_storing(flushed_, bytes.size());
     flushed_ += bytes.size();
   } else {
     buffer_ += bytes;
@@ -76,8 +77,16 @@ Status AtomicFile::commit() {
 
 void AtomicFile::flush() {
   write_at(flushed_, buffer_);
+  start_storing(flushed_, buffer_.size());
   flushed_ += buffer_.size();
   buffer_.clear();
+}
+
+// Asks the disk to begin, so that `commit` need not wait for all of it. A file system that cannot do so does it then.
+void AtomicFile::start_storing(std::uint64_t offset, std::size_t bytes) {
+  if (status_ && bytes > 0) {
+    (void)::sync_file_range(file_, static_cast<off_t>(offset), static_cast<off_t>(bytes), SYNC_FILE_RANGE_WRITE);
+  }
 }
 
 void AtomicFile::write_at(std::uint64_t offset, std::string_view bytes) {

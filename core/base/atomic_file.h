@@ -30,6 +30,7 @@ class AtomicFile final : public ByteSink {
 
  private:
   void flush();
+  void start_storing(std::uint64_t offset, std::size_t bytes);
   void write_at(std::uint64_t offset, std::string_view bytes);
   void fail(const char* what);
   void discard();
