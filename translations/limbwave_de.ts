@@ -8241,6 +8241,14 @@
         <source>Computing the mounting</source>
         <translation>Befestigung wird berechnet</translation>
     </message>
+    <message>
+        <source>other movement to calibrate from</source>
+        <translation>andere Bewegung zum Kalibrieren</translation>
+    </message>
+    <message>
+        <source>other stretch to calibrate from</source>
+        <translation>anderer Abschnitt zum Kalibrieren</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::StretchPage</name>

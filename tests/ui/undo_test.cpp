@@ -34,9 +34,11 @@ class UndoTest : public QObject {
   [[nodiscard]] ExportModel& exporting() const {
     return qobject_cast<ExportWorkspace*>(studio_->window->workspace(QStringLiteral("export")))->model();
   }
-  [[nodiscard]] CalibrationDesk& desk() const {
-    return qobject_cast<CalibrateWorkspace*>(studio_->window->workspace(QStringLiteral("calibrate")))->desk();
+  [[nodiscard]] CalibrateWorkspace* calibrate() const {
+    return qobject_cast<CalibrateWorkspace*>(studio_->window->workspace(QStringLiteral("calibrate")));
   }
+  [[nodiscard]] CalibrationDesk& desk() const { return calibrate()->desk(); }
+  [[nodiscard]] StretchModel& stretches() const { return calibrate()->stretch_model(); }
   [[nodiscard]] const acquire::DeviceInfo& card() const {
     return *std::find_if(capture().devices().begin(), capture().devices().end(),
                          [](const acquire::DeviceInfo& one) { return one.id == kCard; });
@@ -68,6 +70,10 @@ class UndoTest : public QObject {
     }
     for (const LaneKey& key : solve().keys().keys(2)) {
       all << QStringLiteral("%1=%2").arg(key.time_s).arg(key.value);
+    }
+    all << QStringLiteral("calibrate from") << QString::number(stretches().procedure());
+    for (const Stretch& stretch : stretches().choice().stretches) {
+      all << QStringLiteral("%1 %2").arg(stretch.begin_s).arg(stretch.end_s);
     }
     const ExportChoices& choices = exporting().choices();
     const auto number = [](const auto& value) {
@@ -139,6 +145,16 @@ class UndoTest : public QObject {
                calibrate::RigCalibration other = calibrate::nominal_calibration(desk().rig());
                other.sensors[0].M *= 1.25;
                desk().apply(other);
+             }}};
+  }
+  std::vector<Edit> edits_of_stretches() {
+    return {{"stretch to calibrate from",
+             [this] {
+               stretches().set_stretch(0, {1.0, 3.0});
+             }},
+            {"movement to calibrate from", [this] { stretches().set_procedure(0); }},
+            {"a pose's stretch", [this] {
+               stretches().set_stretch(1, {5.0, 7.5});
              }}};
   }
   std::vector<Edit> edits_of_solve() {
@@ -218,6 +234,8 @@ class UndoTest : public QObject {
     QTRY_COMPARE(solve().state(), SolveState::kSolved);
     QTRY_VERIFY(calm());
 
+    stretches().begin();
+    QTRY_VERIFY(calm());
     const QString start = everything();
     capture().open_device(QString::fromLatin1(kCard));
     QTRY_VERIFY(context().live().running());
@@ -225,6 +243,7 @@ class UndoTest : public QObject {
     capture().open_device({});
     QTRY_VERIFY(!context().live().running());
     check(edits_of_take());
+    check(edits_of_stretches());
     check(edits_of_solve());
     check(edits_of_export());
 

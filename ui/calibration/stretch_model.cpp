@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/stretch_command.h"
 #include "common/core_text.h"
 #include "common/format.h"
 
@@ -49,15 +50,16 @@ void StretchModel::follow() {
     job_ = nullptr;
   }
   decoding_ = false;
-  procedure_ = -1;
+  int procedure = -1;
   if (take_ && !has_range_segment(*take_)) {
     const std::vector<int> groups = groups_in_take(*take_);
-    procedure_ = groups.empty() ? -1 : groups.front();
+    procedure = groups.empty() ? -1 : groups.front();
   }
-  suggest();
+  choice_ = suggested(procedure);
   if (take_) {
     decode();
   }
+  Q_EMIT stretch_changed();
   Q_EMIT changed();
 }
 
@@ -96,28 +98,43 @@ void StretchModel::decode() {
 }
 
 void StretchModel::set_procedure(int procedure) {
-  if (procedure != procedure_ && take_ && procedure < static_cast<int>(take_->info.rig.groups.size())) {
-    procedure_ = procedure;
-    suggest();
+  if (procedure != choice_.procedure && take_ && procedure < static_cast<int>(take_->info.rig.groups.size())) {
+    desk_.context().undo_stack().push(
+        new StretchCommand(*this, suggested(procedure), tr("other movement to calibrate from"), -1));
+  }
+}
+
+void StretchModel::put_choice(const StretchChoice& choice) {
+  if (choice == choice_ || !take_ || choice.procedure >= static_cast<int>(take_->info.rig.groups.size())) {
+    return;
+  }
+  const bool other = choice.procedure != choice_.procedure;
+  choice_ = choice;
+  Q_EMIT stretch_changed();
+  if (other) {
     Q_EMIT changed();
   }
 }
 
 QString StretchModel::title(int i) const {
-  if (procedure_ < 0 || !take_) {
+  if (procedure() < 0 || !take_) {
     return tr("Sensors are turned");
   }
-  const body::CalibrationGroup& group = take_->info.rig.groups.at(static_cast<std::size_t>(procedure_));
+  const body::CalibrationGroup& group = take_->info.rig.groups.at(static_cast<std::size_t>(procedure()));
   return tr("Pose %1: %2").arg(i + 1).arg(QString::fromStdString(i == 0 ? group.first.name : group.second.name));
 }
 
 std::vector<NamedStretch> StretchModel::suggestions(int i) const {
+  return suggestions(procedure(), i);
+}
+
+std::vector<NamedStretch> StretchModel::suggestions(int procedure, int i) const {
   if (!take_) {
     return {};
   }
   std::vector<std::string> first{solve::kRangeSegment};
-  if (procedure_ >= 0) {
-    const body::CalibrationGroup& group = take_->info.rig.groups.at(static_cast<std::size_t>(procedure_));
+  if (procedure >= 0) {
+    const body::CalibrationGroup& group = take_->info.rig.groups.at(static_cast<std::size_t>(procedure));
     first = {solve::pose_segment(group, i), solve::pose_segment(group, 1 - i)};
   }
   return named_stretches(take_->info, first);
@@ -125,32 +142,35 @@ std::vector<NamedStretch> StretchModel::suggestions(int i) const {
 
 /// The take's own segment where it has one; else all of it for turning, and two
 /// seconds early and late for the poses.
-void StretchModel::suggest() {
+StretchChoice StretchModel::suggested(int procedure) const {
   const double all = duration_s();
+  StretchChoice choice{procedure, {}};
   for (int i = 0; i < 2; ++i) {
-    Stretch& stretch = stretches_.at(static_cast<std::size_t>(i));
-    const std::vector<NamedStretch> named = i < count() ? suggestions(i) : std::vector<NamedStretch>{};
+    Stretch& stretch = choice.stretches.at(static_cast<std::size_t>(i));
+    const std::vector<NamedStretch> named =
+        procedure < 0 && i > 0 ? std::vector<NamedStretch>{} : suggestions(procedure, i);
     const std::string wanted =
-        procedure_ < 0 || !take_
+        procedure < 0 || !take_
             ? solve::kRangeSegment
-            : solve::pose_segment(take_->info.rig.groups.at(static_cast<std::size_t>(procedure_)), i);
+            : solve::pose_segment(take_->info.rig.groups.at(static_cast<std::size_t>(procedure)), i);
     if (!named.empty() && named.front().name == wanted) {
       stretch = named.front().stretch;
-    } else if (procedure_ < 0) {
+    } else if (procedure < 0) {
       stretch = {0.0, all};
     } else {
       const double middle = all * (i == 0 ? 0.25 : 0.75);
       stretch = {std::max(0.0, middle - 1.0), std::min(all, middle + 1.0)};
     }
   }
-  Q_EMIT stretch_changed();
+  return choice;
 }
 
-void StretchModel::set_stretch(int i, Stretch wanted) {
-  if (!std::isfinite(wanted.begin_s) || !std::isfinite(wanted.end_s) || i < 0 || i >= count()) {
+void StretchModel::set_stretch(int i, Stretch wanted, int gesture) {
+  if (!take_ || !std::isfinite(wanted.begin_s) || !std::isfinite(wanted.end_s) || i < 0 || i >= count()) {
     return;
   }
-  Stretch& stretch = stretches_.at(static_cast<std::size_t>(i));
+  StretchChoice choice = choice_;
+  Stretch& stretch = choice.stretches.at(static_cast<std::size_t>(i));
   const double all = duration_s(), least = std::min(kShortest_s, all);
   const bool begin_moved = wanted.begin_s != stretch.begin_s;
   Stretch next{std::clamp(wanted.begin_s, 0.0, all - least), std::clamp(wanted.end_s, least, all)};
@@ -163,7 +183,8 @@ void StretchModel::set_stretch(int i, Stretch wanted) {
   }
   if (!(next == stretch)) {
     stretch = next;
-    Q_EMIT stretch_changed();
+    desk_.context().undo_stack().push(
+        new StretchCommand(*this, choice, tr("other stretch to calibrate from"), gesture));
   }
 }
 
@@ -192,7 +213,7 @@ QString StretchModel::obstacle() const {
       return tr("\"%1\" holds no readings. Choose another stretch.").arg(title(i));
     }
   }
-  const Stretch &a = stretches_[0], &b = stretches_[1];
+  const Stretch &a = stretch(0), &b = stretch(1);
   if (count() == 2 && a.begin_s < b.end_s && b.begin_s < a.end_s) {
     return tr("The two poses overlap. Move them apart.");
   }
@@ -215,11 +236,11 @@ void StretchModel::compute() {
     }
   };
   JobRunner& jobs = desk_.context().jobs();
-  if (procedure_ < 0) {
+  if (procedure() < 0) {
     using Outcomes = std::vector<RangeOutcome>;
     jobs.compute<Outcomes>(
         tr("Computing the range calibration"), this,
-        [take = take_, decoded = decoded_, stretch = stretches_[0]](const Progress& progress) {
+        [take = take_, decoded = decoded_, stretch = stretch(0)](const Progress& progress) {
           return range_outcomes(take->info, decoded->between(stretch.begin_s, stretch.end_s), progress);
         },
         [this, finished](const Result<Outcomes>& result) {
@@ -234,7 +255,7 @@ void StretchModel::compute() {
                               : newest_of_library(desk_.listing(), take_->info.rig, take_->info.subject);
   jobs.compute<LimbFromTake>(
       tr("Computing the mounting"), this,
-      [take = take_, decoded = decoded_, group = procedure_, stretches = stretches_,
+      [take = take_, decoded = decoded_, group = procedure(), stretches = choice_.stretches,
        range](const Progress&) -> Result<LimbFromTake> {
         return limb_outcomes(*take, group, decoded->between(stretches[0].begin_s, stretches[0].end_s),
                              decoded->between(stretches[1].begin_s, stretches[1].end_s), range);

@@ -12,6 +12,13 @@
 
 namespace limbwave::ui {
 
+/// What a verdict is asked for.
+struct StretchChoice {
+  int procedure = -1;  ///< −1: range; else the mounting of this group of the rig.
+  std::array<Stretch, 2> stretches{};
+  bool operator==(const StretchChoice&) const = default;
+};
+
 class StretchModel : public QObject {
   Q_OBJECT
  public:
@@ -33,18 +40,24 @@ class StretchModel : public QObject {
   void begin();
 
   /// −1: range; else the mounting of this group of the rig.
-  [[nodiscard]] int procedure() const { return procedure_; }
+  [[nodiscard]] int procedure() const { return choice_.procedure; }
+  /// One step of undo. Its stretches are those that the take suggests.
   void set_procedure(int procedure);
   /// How many stretches the procedure needs: 1, or 2 for the two poses.
-  [[nodiscard]] int count() const { return procedure_ < 0 ? 1 : 2; }
+  [[nodiscard]] int count() const { return procedure() < 0 ? 1 : 2; }
   /// "Sensors are turned", "Pose 1: horizontal"
   [[nodiscard]] QString title(int i) const;
   /// Named segments of the take, those that the stretch is for first.
   [[nodiscard]] std::vector<NamedStretch> suggestions(int i) const;
-  [[nodiscard]] const Stretch& stretch(int i) const { return stretches_.at(static_cast<std::size_t>(i)); }
-  /// Kept within the take; a begin behind the end pushes the end, and the other
-  /// way round.
-  void set_stretch(int i, Stretch wanted);
+  [[nodiscard]] const Stretch& stretch(int i) const { return choice_.stretches.at(static_cast<std::size_t>(i)); }
+  /// One step of undo; those of one `gesture` (≥ 0) are one together. Kept within the take; a begin behind the end
+  /// pushes the end, and the other way round.
+  void set_stretch(int i, Stretch wanted, int gesture = -1);
+  /// A number for the edits of a new gesture.
+  int begin_gesture() { return ++gestures_; }
+  [[nodiscard]] const StretchChoice& choice() const { return choice_; }
+  /// Without undo. Nothing when the open take has no such group.
+  void put_choice(const StretchChoice& choice);
 
   /// What the verdicts are for: the take.
   [[nodiscard]] CalibrationDesk::Target target() const;
@@ -63,7 +76,8 @@ class StretchModel : public QObject {
  private:
   void follow();
   void decode();
-  void suggest();
+  [[nodiscard]] StretchChoice suggested(int procedure) const;
+  [[nodiscard]] std::vector<NamedStretch> suggestions(int procedure, int i) const;
 
   CalibrationDesk& desk_;
   std::shared_ptr<const take::Take> take_;
@@ -71,8 +85,8 @@ class StretchModel : public QObject {
   std::shared_ptr<const solve::DecodedTake> decoded_;
   bool active_ = false, decoding_ = false, computing_ = false;
   QString problem_;
-  int procedure_ = -1;
-  std::array<Stretch, 2> stretches_;
+  StretchChoice choice_;
+  int gestures_ = 0;
   Job* job_ = nullptr;
 };
 

@@ -67,9 +67,10 @@ StretchPage::StretchPage(StretchModel& model, QWidget* parent)
   escape->setContext(Qt::WidgetWithChildrenShortcut);
   connect(escape, &QShortcut::activated, this, &StretchPage::left);
   connect(compute_, &QPushButton::clicked, &model_, &StretchModel::compute);
+  connect(plot_, &StretchPlot::drag_begun, this, [this] { gesture_ = model_.begin_gesture(); });
   connect(plot_, &StretchPlot::stretch_dragged, this, [this](int i, const Stretch& stretch) {
     active_ = i;
-    model_.set_stretch(i, stretch);
+    model_.set_stretch(i, stretch, gesture_);
   });
   connect(plot_, &StretchPlot::named_clicked, this, &StretchPage::use_named);
   connect(&model_, &StretchModel::changed, this, &StretchPage::refresh);

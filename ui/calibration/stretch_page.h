@@ -57,7 +57,8 @@ class StretchPage : public QWidget {
   std::array<Row, 2> rows_{};
   QLabel* obstacle_;
   QPushButton* compute_;
-  int active_ = 0;  ///< The stretch that a click on a named segment changes.
+  int gesture_ = -1;  ///< Of the newest drag.
+  int active_ = 0;    ///< The stretch that a click on a named segment changes.
 };
 
 }  // namespace limbwave::ui

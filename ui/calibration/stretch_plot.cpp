@@ -276,6 +276,7 @@ void StretchPlot::mousePressEvent(QMouseEvent* event) {
   }
   grip_ = grip_at(event->position());
   grip_s_ = axis().to_value(event->position().x());
+  Q_EMIT drag_begun();
 }
 
 void StretchPlot::mouseMoveEvent(QMouseEvent* event) {

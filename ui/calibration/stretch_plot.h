@@ -37,6 +37,7 @@ class StretchPlot : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 160}; }
 
  Q_SIGNALS:
+  void drag_begun();  ///< All of `stretch_dragged` until the next one are one drag.
   void stretch_dragged(int i, limbwave::ui::Stretch stretch);
   void named_clicked(int named);
   void visible_changed(limbwave::ui::Stretch visible);

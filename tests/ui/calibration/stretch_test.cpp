@@ -187,6 +187,51 @@ class StretchTest : public QObject {
     QCOMPARE(bench.library().list().mounts.front().mounts.size(), std::size_t{4});
   }
 
+  void movements_and_stretches_can_be_undone_a_drag_as_one_step() {
+    Bench bench(take_);
+    bench.open_page();
+    QUndoStack& undo = bench.studio.context->undo_stack();
+    const int start = undo.index();
+    const StretchChoice range = bench.model().choice();
+    bench.choose("stretch_procedure", 1);
+    QCOMPARE(undo.index(), start + 1);
+    const StretchChoice limb = bench.model().choice();
+    StretchPlot* plot = bench.workspace->stretch_page()->plot();
+    plot->set_visible({limb.stretches[0].begin_s - 3.0, limb.stretches[1].end_s + 3.0});
+    const auto drag = [&](double from_s, const std::vector<double>& to_s) {
+      const auto at = [&](double time_s) { return QPoint(qRound(plot->x_of(time_s)), plot->height() / 2); };
+      QTest::mousePress(plot, Qt::LeftButton, {}, at(from_s));
+      for (const double time_s : to_s) {
+        QTest::mouseMove(plot, at(time_s));
+      }
+      QTest::mouseRelease(plot, Qt::LeftButton, {}, at(to_s.back()));
+    };
+    const double begin_s = limb.stretches[0].begin_s;
+    drag(begin_s, {begin_s + 0.2, begin_s + 0.4, begin_s + 0.6});
+    QCOMPARE(undo.index(), start + 2);
+    const StretchChoice dragged = bench.model().choice();
+    QVERIFY(std::abs(dragged.stretches[0].begin_s - begin_s - 0.6) < 0.1);
+    drag(dragged.stretches[0].begin_s, {begin_s + 0.4, begin_s + 0.3});
+    QCOMPARE(undo.index(), start + 3);  // Another drag is another step.
+    bench.choose("stretch_named_1", 1);
+    QCOMPARE(undo.index(), start + 4);
+    QVERIFY(!bench.find<QPushButton>("stretch_compute")->isEnabled());
+
+    undo.undo();
+    QVERIFY(bench.find<QPushButton>("stretch_compute")->isEnabled());
+    undo.undo();
+    QVERIFY(bench.model().choice() == dragged);
+    undo.undo();
+    QVERIFY(bench.model().choice() == limb);
+    QVERIFY(std::abs(bench.find<QDoubleSpinBox>("stretch_begin_0")->value() - begin_s) < 0.006);
+    undo.undo();
+    QVERIFY(bench.model().choice() == range);
+    QCOMPARE(bench.find<QComboBox>("stretch_procedure")->currentIndex(), 0);
+    undo.redo();
+    undo.redo();
+    QVERIFY(bench.model().choice() == dragged);
+  }
+
   void a_stretch_in_which_nobody_turns_ends_in_repeat_and_leads_back() {
     Bench bench(take_);
     bench.open_page();
