@@ -60,7 +60,7 @@ QWidget* LimbWizard::make_choose_page() {
   warning->addWidget(first, 0, Qt::AlignLeft);
   words->addWidget(range_warning_);
   add_source_line(words, page, QStringLiteral("mounting"));
-  words->addStretch();
+  words->addStretch(1);  // All that is left: the warning is as tall as its words.
   columns->addLayout(words, 2);
   return page;
 }

@@ -1,10 +1,26 @@
 #include "common/theme.h"
 
-#include <QStyleFactory>
+#include <QPainter>
+#include <QProxyStyle>
 #include <array>
 
 namespace limbwave::ui {
 namespace {
+
+/// Fusion, but a line that is too long for its place ends with an ellipsis instead of in the middle of a letter. Boxes
+/// under a style sheet draw their text by this function, too.
+class StudioStyle : public QProxyStyle {
+ public:
+  StudioStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+  void drawItemText(QPainter* painter, const QRect& rect, int flags, const QPalette& palette, bool enabled,
+                    const QString& text, QPalette::ColorRole role) const override {
+    const bool one_line = (flags & (Qt::TextWordWrap | Qt::TextDontClip)) == 0 && !text.contains(QLatin1Char('\n'));
+    // A pixel for what scaling rounds.
+    const QString shown =
+        one_line ? painter->fontMetrics().elidedText(text, Qt::ElideRight, rect.width() + 1, flags) : text;
+    QProxyStyle::drawItemText(painter, rect, flags, palette, enabled, shown, role);
+  }
+};
 
 QPalette make_palette(const ThemeColors& c) {
   QPalette palette;
@@ -187,9 +203,7 @@ QColor series_color(const ThemeColors& theme, int index) {
 
 void apply_theme(QApplication& application, ThemeKind kind) {
   const ThemeColors& colors = kind == ThemeKind::kDark ? dark_theme() : light_theme();
-  if (QStyle* fusion = QStyleFactory::create(QStringLiteral("Fusion"))) {
-    QApplication::setStyle(fusion);
-  }
+  QApplication::setStyle(new StudioStyle);
   QFont font = QApplication::font();
   font.setPixelSize(13);
   QApplication::setFont(font);
