@@ -3585,6 +3585,14 @@
         <source>save the state again with this version</source>
         <translation>den Zustand mit dieser Version neu speichern</translation>
     </message>
+    <message>
+        <source>must be inclination, filter, smoother or batch</source>
+        <translation>muss inclination, filter, smoother oder batch sein</translation>
+    </message>
+    <message>
+        <source>must name some of A, G and D</source>
+        <translation>muss einige von A, G und D nennen</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -4924,6 +4932,133 @@
     <message>
         <source>Keep</source>
         <translation>Behalten</translation>
+    </message>
+</context>
+<context>
+    <name>limbwave::ui::BodyChoiceForm</name>
+    <message>
+        <source>By the past alone, as the live figure is solved.</source>
+        <translation>Nur aus dem Vergangenen, so wie die Live-Figur berechnet wird.</translation>
+    </message>
+    <message>
+        <source>The smoother again and again, until nothing changes. Takes several times as long.</source>
+        <translation>Der Glätter immer wieder, bis sich nichts mehr ändert. Dauert mehrmals so lange.</translation>
+    </message>
+    <message>
+        <source>All sensors together, forward and backward in time. The most exact for most takes.</source>
+        <translation>Alle Sensoren zusammen, vorwärts und rückwärts in der Zeit. Für die meisten Takes am genauesten.</translation>
+    </message>
+    <message>
+        <source>Feet that stand hold the figure to the ground. For somebody who stands or walks.</source>
+        <translation>Füße, die stehen, halten die Figur am Boden. Für jemanden, der steht oder geht.</translation>
+    </message>
+    <message>
+        <source>The root stays where it is. For somebody who sits, or an arm alone.</source>
+        <translation>Die Wurzel bleibt, wo sie ist. Für jemanden, der sitzt, oder nur einen Arm.</translation>
+    </message>
+    <message>
+        <source>By gravity and the sensors alone: the figure drifts away with time.</source>
+        <translation>Nur nach der Schwerkraft und den Sensoren: Die Figur treibt mit der Zeit davon.</translation>
+    </message>
+    <message>
+        <source>As it was simulated. To compare joints alone.</source>
+        <translation>Wie sie simuliert wurde. Um nur die Gelenke zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>As the file tells.</source>
+        <translation>Wie die Datei es sagt.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation type="unfinished">Sensoren</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Find noises from the take</source>
+        <translation>Rauschen aus dem Take bestimmen</translation>
+    </message>
+    <message>
+        <source>Both directions</source>
+        <translation>Beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Forward only</source>
+        <translation>Nur vorwärts</translation>
+    </message>
+    <message>
+        <source>Optimiser</source>
+        <translation>Optimierer</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Accelerometers and gyroscopes</source>
+        <translation>Beschleunigungs- und Drehratensensoren</translation>
+    </message>
+    <message>
+        <source>Gyroscopes and ranges</source>
+        <translation>Drehratensensoren und Abstände</translation>
+    </message>
+    <message>
+        <source>Accelerometers and ranges</source>
+        <translation>Beschleunigungssensoren und Abstände</translation>
+    </message>
+    <message>
+        <source>Accelerometers</source>
+        <translation>Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Gyroscopes</source>
+        <translation>Drehratensensoren</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>For sensors that nobody has measured: how noisy they are, and how lively the wearer is, from the first seconds. Errors that are not noise deceive it.</source>
+        <translation>Für Sensoren, die niemand vermessen hat: wie stark sie rauschen und wie lebhaft sich die Person bewegt, aus den ersten Sekunden. Fehler, die kein Rauschen sind, täuschen es.</translation>
+    </message>
+    <message>
+        <source>change method</source>
+        <translation>Verfahren ändern</translation>
+    </message>
+    <message>
+        <source>change sensors to solve with</source>
+        <translation>Sensoren zum Berechnen ändern</translation>
+    </message>
+    <message>
+        <source>change root</source>
+        <translation>Wurzel ändern</translation>
+    </message>
+    <message>
+        <source>change finding of noises</source>
+        <translation>Bestimmen des Rauschens ändern</translation>
+    </message>
+    <message>
+        <source>Feet on the ground</source>
+        <translation>Füße am Boden</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Of the truth</source>
+        <translation>Aus der Wahrheit</translation>
     </message>
 </context>
 <context>
@@ -7788,10 +7923,6 @@
     <message>
         <source>Used: %1</source>
         <translation>Benutzt: %1</translation>
-    </message>
-    <message>
-        <source>By the body filter, forward and backward, from all sensors. Other choices of sensors and of the root are made by the command line: limbwave solve.</source>
-        <translation>Mit dem Körperfilter, vorwärts und rückwärts, aus allen Sensoren. Andere Sensoren und andere Wurzeln wählt man auf der Befehlszeile: limbwave solve.</translation>
     </message>
 </context>
 <context>

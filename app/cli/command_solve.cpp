@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "solve/body_solve.h"
+#include "solve/compose.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
 #include "take/take.h"
@@ -13,7 +14,7 @@ namespace limbwave::cli {
 
 void add_solve(CLI::App& app, Console& console) {
   struct Options {
-    std::string take, sensors = "A", method = "inclination", root = "fixed", smoothing = "chain";
+    std::string take, sensors = "A", method = "auto", root = "fixed", smoothing = "chain";
     solve::SolveSettings settings;
     std::string left = "auto", right = "auto";
     double coupling = -1.0;
@@ -25,21 +26,21 @@ void add_solve(CLI::App& app, Console& console) {
   command->add_option("TAKE", options->take, "Folder of the take")->required();
   command->add_option("--sensors", options->sensors, "What to use: A = accelerometers, G = gyroscopes, D = ranges")
       ->check(CLI::IsMember({"A", "G", "D", "AG", "AD", "GD", "AGD"}))
-      ->capture_default_str();
+      ->default_str("all there are");
   command
       ->add_option(
           "--method", options->method,
-          "inclination: from the direction of gravity; filter: all sensors together on the whole skeleton; smoother: "
+          "auto: inclination for a sound card's accelerometers, smoother for all other recordings; inclination: from "
+          "the direction of gravity; filter: all sensors together on the whole skeleton; smoother: "
           "the same from both sides in time; batch: the smoother again and again, each linearised about the one "
           "before, until that changes nothing")
-      ->check(CLI::IsMember({"inclination", "filter", "smoother", "batch"}))
+      ->check(CLI::IsMember({"auto", "inclination", "filter", "smoother", "batch"}))
       ->capture_default_str();
-  command
-      ->add_option(
-          "--root", options->root,
-          "fixed: the root stays where it is; contacts: by feet that stand on the ground; free: by gravity and "
-          "the sensors alone; truth: as simulated; or a CSV file with its path")
-      ->capture_default_str();
+  command->add_option(
+      "--root", options->root,
+      "fixed: the root stays where it is; contacts: by feet that stand on the ground; free: by gravity and "
+      "the sensors alone; truth: as simulated; or a CSV file with its path. Unless given, fixed by inclination, "
+      "contacts of a driver box, else free");
   command
       ->add_option(
           "--smoothing", options->smoothing,
@@ -92,9 +93,12 @@ void add_solve(CLI::App& app, Console& console) {
       settings.line_in.coupling_hz = options->coupling;
     }
     const take::Take take = console.check(take::open_take(options->take));
+    if (options->method == "auto") {
+      options->method = take.info.kind == "line-in" ? "inclination" : "smoother";
+    }
     if (options->method == "inclination" && (options->sensors != "A" || options->root != "fixed")) {
-      console.fail({"uses accelerometers on a root that is fixed", "--method inclination",
-                    "choose --method filter or smoother for other sensors and roots"});
+      console.fail({"uses accelerometers on a root that is fixed", options->take,
+                    "a take of a sound card has nothing else; other takes are solved by --method filter or smoother"});
     }
     if (take.info.kind == "log" && options->method == "inclination") {
       console.fail({"holds readings of other sensors", options->take, "choose --method filter or smoother"});
@@ -108,9 +112,9 @@ void add_solve(CLI::App& app, Console& console) {
     if (options->tune && options->method == "inclination") {
       console.fail({"is for the body filter", "--tune", "choose --method filter, smoother or batch"});
     }
+    settings.headings = solve::known_headings(take, settings.name);  // The user's own; nothing else knows them.
     const auto solved = [&] {
       if (options->method == "inclination") {
-        settings.headings = solve::known_headings(take, settings.name);  // The user's own; nothing else knows them.
         return solve::solve_take(take, settings, console.progress());
       }
       const bool batch = options->method == "batch";
@@ -119,7 +123,7 @@ void add_solve(CLI::App& app, Console& console) {
       body.optimise = batch;
       body.tune = options->tune;
       body.sensors = command->count("--sensors") > 0 ? options->sensors : "AGD";
-      body.root = command->count("--root") > 0 ? options->root : "free";
+      body.root = command->count("--root") > 0 ? options->root : solve::usual_root(take);
       body.start = options->start == "rest"     ? estimate::StartMode::kRest
                    : options->start == "moving" ? estimate::StartMode::kMoving
                                                 : estimate::StartMode::kAny;
@@ -127,7 +131,10 @@ void add_solve(CLI::App& app, Console& console) {
       body.resume = options->resume;
       return solve::solve_sensors(take, body, console.progress());
     };
-    const solve::Solve solve = console.check(solved());
+    solve::Solve solve = console.check(solved());
+    if (options->method != "inclination" && !settings.headings.empty()) {
+      solve::apply_headings(solve, solve::sensor_segments(take.info.rig, solve.clip.skeleton), settings.headings);
+    }
     console.check(solve::save_solve(take, solve));
     if (command->count("--json") > 0) {
       console.print_json(solve::report_to_json(solve), options->json);

@@ -14,6 +14,7 @@
 #include "estimate/body_tuning.h"
 #include "estimate/exact_rig.h"
 #include "estimate/sensor_mixup.h"
+#include "solve/compose.h"
 #include "solve/driver_box.h"
 #include "solve/word_alignment.h"
 #include "take/body_log.h"
@@ -79,6 +80,10 @@ void report_counts(const std::string& what, const std::string& name, const estim
 }
 
 }  // namespace
+
+std::string usual_root(const take::Take& take) {
+  return take.info.kind == "driver-box" ? "contacts" : "free";
+}
 
 estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings) {
   estimate::BodyFilterParameters p;
@@ -278,6 +283,10 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   Solve solve;
   solve.settings.name = settings.name;
   solve.settings.smoothing = Smoothing::kNone;
+  solve.settings.body = BodyChoice{settings.optimise ? "batch"
+                                   : settings.smooth ? "smoother"
+                                                     : "filter",
+                                   settings.sensors, settings.root, settings.tune};
   const body::Skeleton& skeleton = take.info.skeleton;
   motion::Clip& clip = solve.clip;
   clip.name = settings.name;
@@ -373,6 +382,22 @@ Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& set
     return readings.error();
   }
   return solve_body(take, *std::move(readings), settings, progress.part(0.5, 1.0));
+}
+
+Result<Solve> solve_sensors(const take::Take& take, const SolveSettings& settings, const Progress& progress) {
+  const BodyChoice choice = settings.body.value_or(BodyChoice());
+  BodySolveSettings body;
+  body.name = settings.name;
+  body.sensors = choice.sensors;
+  body.optimise = choice.method == "batch";
+  body.smooth = choice.method != "filter";
+  body.root = choice.root.empty() ? usual_root(take) : choice.root;
+  body.tune = choice.tune;
+  Result<Solve> solve = solve_sensors(take, body, progress);
+  if (solve && !settings.headings.empty()) {
+    apply_headings(*solve, sensor_segments(take.info.rig, solve->clip.skeleton), settings.headings);
+  }
+  return solve;
 }
 
 }  // namespace limbwave::solve

@@ -28,6 +28,9 @@ struct BodySolveSettings {
   bool tune = false;  ///< Noises are found from the take's first seconds (estimate/body_tuning.h).
 };
 
+/// What `root` means where nothing was chosen: somebody who stands and walks in a driver box's suit, else free.
+std::string usual_root(const take::Take& take);
+
 /// The parameters that suit a model: what a rig of one free sensor needs is not what a body needs.
 estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings);
 
@@ -40,6 +43,8 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
                          const Progress& progress);
 /// The same for a take of kind "log", or of kind "driver-box", which is decoded first.
 Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& settings, const Progress& progress);
+/// As `settings.body` chooses, or as usual; with `settings.headings` in it.
+Result<Solve> solve_sensors(const take::Take& take, const SolveSettings& settings, const Progress& progress);
 
 /// What a driver box heard, for the filter: words whose values are known, and ranges that were accepted. Memory grows
 /// with the take: about 0.2 kB a word. `align`: at common instants. `progress` is asked to 1.

@@ -158,13 +158,14 @@ void apply_headings(Solve& solve, const std::vector<int>& sensor_segments,
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (std::size_t s = 0; s < clip.joints.size(); ++s) {
-      const body::Segment& segment = clip.skeleton.segments[s];
+      const int parent = clip.skeleton.segments[s].parent;
       if (sensed[s]) {
         const double turn =
             heading_at(keys(headings, s), times[i]) - heading_at(keys(solve.settings.headings, s), times[i]);
         R_WL[i][s] = about_vertical(turn) * R_WL[i][s];
-      } else if (segment.parent >= 0) {
-        R_WL[i][s] = R_WL[i][static_cast<std::size_t>(segment.parent)] * segment.R_PL_rest;
+      } else if (parent >= 0) {
+        // As it was solved against its parent: at rest by inclination, moving where a body filter found it.
+        R_WL[i][s] = R_WL[i][static_cast<std::size_t>(parent)] * clip.joints[s].rotation.values[i];
       }
     }
   }

@@ -35,7 +35,8 @@ Result<std::vector<Eigen::Quaterniond>> limb_orientations(std::span<const estima
 /// Which segment each accelerometer of the rig is worn on: index into the skeleton.
 std::vector<int> sensor_segments(const body::Rig& rig, const body::Skeleton& skeleton);
 
-/// Changes the headings of a solve in place, without solving again: every world orientation turns by the difference.
+/// Changes the headings of a solve in place, without solving again: every world orientation of a segment that
+/// carries a sensor turns by the difference; the others keep what they were solved to against their parents.
 void apply_headings(Solve& solve, const std::vector<int>& sensor_segments,
                     const std::vector<std::vector<HeadingKey>>& headings);
 

@@ -181,6 +181,27 @@ QualityReport report_from_json(const nlohmann::json& json) {
   return report;
 }
 
+namespace {
+
+BodyChoice body_choice_from(const JsonReader& reader, const std::string& method) {
+  BodyChoice choice;
+  if (method != "filter" && method != "smoother" && method != "batch") {
+    reader.at("method").fail("must be inclination, filter, smoother or batch");
+  }
+  choice.method = method;
+  choice.sensors = reader.string_or("sensors", choice.sensors);
+  if (choice.sensors.empty() || choice.sensors.find_first_not_of("AGD") != std::string::npos) {
+    reader.at("sensors").fail("must name some of A, G and D");
+  }
+  choice.root = reader.string_or("root", "");
+  if (reader.has("tune")) {
+    choice.tune = reader.at("tune").boolean();
+  }
+  return choice;
+}
+
+}  // namespace
+
 nlohmann::json settings_to_json(const SolveSettings& settings) {
   nlohmann::json headings = nlohmann::json::array();
   for (const std::vector<HeadingKey>& keys : settings.headings) {
@@ -198,21 +219,32 @@ nlohmann::json settings_to_json(const SolveSettings& settings) {
   if (settings.line_in.coupling_hz) {
     line["coupling_hz"] = *settings.line_in.coupling_hz;
   }
-  return {{"schema", 1},
-          {"method", "inclination"},
-          {"smoothing", name(settings.smoothing)},
-          {"smoothing_s", settings.smoothing_s},
-          {"calibration", settings.calibration},
-          {"line_in", line},
-          {"headings_s_rad", headings}};
+  nlohmann::json json = {{"schema", 1},
+                         {"method", "inclination"},
+                         {"smoothing", name(settings.smoothing)},
+                         {"smoothing_s", settings.smoothing_s},
+                         {"calibration", settings.calibration},
+                         {"line_in", line},
+                         {"headings_s_rad", headings}};
+  if (const auto& body = settings.body) {
+    json["method"] = body->method;
+    json["sensors"] = body->sensors;
+    json["root"] = body->root;
+    json["tune"] = body->tune;
+  }
+  return json;
 }
 
 Result<SolveSettings> settings_from_json(const nlohmann::json& json, const std::string& place) {
   JsonReader::State state{place, {}};
   const JsonReader reader(json, "", state);
-  reader.allow({"schema", "method", "smoothing", "smoothing_s", "calibration", "line_in", "headings_s_rad"});
+  reader.allow({"schema", "method", "smoothing", "smoothing_s", "calibration", "line_in", "headings_s_rad", "sensors",
+                "root", "tune"});
   reader.at("schema").integer(1, 1);
   SolveSettings settings;
+  if (const std::string method = reader.string_or("method", "inclination"); method != "inclination") {
+    settings.body = body_choice_from(reader, method);
+  }
   if (reader.has("smoothing")) {
     settings.smoothing = smoothing_from(reader.at("smoothing"));
   }

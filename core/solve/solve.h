@@ -26,6 +26,15 @@ struct HeadingKey {
   double heading = 0.0;  ///< Radians.
 };
 
+/// How the body filter solves (solve/body_solve.h).
+struct BodyChoice {
+  std::string method = "smoother";  ///< "filter", "smoother" or "batch".
+  std::string sensors = "AGD";      ///< Any of A, G and D; of these what the take has.
+  std::string root = {};            ///< "contacts", "free", "fixed", "truth" or a file; empty: what suits the take.
+  bool tune = false;                ///< Noises are found from the take's first seconds.
+  bool operator==(const BodyChoice&) const = default;
+};
+
 struct SolveSettings {
   std::string name = "default";
   Smoothing smoothing = Smoothing::kChain;
@@ -36,6 +45,8 @@ struct SolveSettings {
   /// the source is then "segments". Else the user's library, else the data sheet. Or one source by name: "snapshot" (in
   /// the take), "segments" (alone), "library" or "nominal" (data sheet).
   std::string calibration = "auto";
+  /// Of a solve by the body filter; none: by inclination, or nothing was chosen yet.
+  std::optional<BodyChoice> body = {};
 };
 
 struct SensorQuality {

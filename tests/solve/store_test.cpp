@@ -86,6 +86,27 @@ TEST_F(SolveStore, WhatIsSavedIsLoaded) {
   }
 }
 
+TEST_F(SolveStore, HowTheBodyFilterSolvedIsStored) {
+  Solve before = solve(1.0);
+  before.settings.body = BodyChoice{"batch", "GD", "contacts", true};
+  require(save_solve(take, before));
+  EXPECT_EQ(require(load_solve(take, "default")).settings.body, before.settings.body);
+  EXPECT_FALSE(require(load_solve_settings(take, "default")).body == BodyChoice());
+  before.settings.body.reset();
+  require(save_solve(take, before));
+  EXPECT_FALSE(require(load_solve(take, "default")).settings.body.has_value());
+  nlohmann::json json = settings_to_json(before.settings);
+  for (const auto& [method, sensors, wrong] :
+       {std::tuple{"guess", "A", "method"}, std::tuple{"filter", "AX", "sensors"},
+        std::tuple{"smoother", "", "sensors"}}) {
+    json["method"] = method;
+    json["sensors"] = sensors;
+    const Result<SolveSettings> read = settings_from_json(json, "here");
+    ASSERT_FALSE(read.ok());
+    EXPECT_THAT(read.error().text(), HasSubstr(wrong));
+  }
+}
+
 TEST_F(SolveStore, TheCalibrationThatWasUsedIsStored) {
   Solve before = solve(1.0);
   take.info.rig = require(body::load_rig("line-in-arm"));

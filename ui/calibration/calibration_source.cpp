@@ -1,6 +1,7 @@
 #include "calibration/calibration_source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace limbwave::ui {
@@ -44,7 +45,8 @@ bool LiveCalibrationSource::start_recording(const std::filesystem::path& folder,
   }
   // Until the recording tells its own: the next sample that comes is its first.
   recording_start_s_ = live_.snapshot() ? live_.snapshot()->stream_time_s : 0.0;
-  return live_.start_recording(folder, subject, true);
+  awaits_recording_ = live_.start_recording(folder, subject, true);
+  return awaits_recording_;
 }
 
 void LiveCalibrationSource::stop_recording() {
@@ -70,6 +72,16 @@ void LiveCalibrationSource::read_snapshot() {
   }
   if (snapshot->recording) {
     recording_start_s_ = snapshot->stream_time_s - snapshot->recorded_s;
+  }
+  if (awaits_recording_) {
+    // What comes before the recording has begun is not kept, so it does not count: on a busy computer that is a second.
+    if (!snapshot->recording && (live_.starting() || live_.recording())) {
+      return;
+    }
+    awaits_recording_ = false;
+    if (snapshot->recording) {
+      last_time_s_ = std::max(last_time_s_, std::nextafter(recording_start_s_, 0.0));
+    }
   }
   const std::vector<decode::AccelerationFrame> fresh = newer_frames(snapshot->frames, last_time_s_);
   if (!fresh.empty()) {

@@ -76,6 +76,7 @@ class LiveCalibrationSource : public CalibrationSource {
   bool stop_wanted_ = false;
   std::filesystem::path wanted_folder_;
   QString wanted_subject_;
+  bool awaits_recording_ = false;  ///< It was started, and no snapshot has it yet.
   double last_time_s_ = -1.0;
   double recording_start_s_ = 0.0;
 };

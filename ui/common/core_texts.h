@@ -814,6 +814,8 @@ inline constexpr const char* kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "%1 usable %2 %, gravity explains %3 %, %4"),
     QT_TRANSLATE_NOOP("Core", "%1 g at rest"),
     QT_TRANSLATE_NOOP("Core", "never at rest"),
+    QT_TRANSLATE_NOOP("Core", "must be inclination, filter, smoother or batch"),
+    QT_TRANSLATE_NOOP("Core", "must name some of A, G and D"),
     QT_TRANSLATE_NOOP("Core", "no readings yet"),
     QT_TRANSLATE_NOOP("Core", "only %1 % of the readings can be used; lower the level if it clips, else check the cable"),
     QT_TRANSLATE_NOOP("Core", "reads nothing; check that the sensor is plugged in"),

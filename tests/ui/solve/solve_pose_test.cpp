@@ -48,6 +48,28 @@ TEST_F(Poses, HeadingsTurnAsWhenTheyAreWrittenIntoTheClip) {
   }
 }
 
+// A body filter finds the neck, which has no board: neither showing nor writing headings puts it back to rest.
+TEST_F(Poses, WhatWasSolvedWithoutASensorIsKept) {
+  sensed[3] = false;
+  std::vector<std::vector<solve::HeadingKey>> keys(take.info.skeleton.segments.size());
+  keys[1] = {{0.5, 0.4}, {3.0, -1.0}};
+  solve::Solve written = solved;
+  solve::apply_headings(written, {0, 1, 2, 4}, keys);
+  std::vector<body::SegmentPose> poses;
+  for (const double t : {0.5, 2.0, 3.5}) {
+    edited_pose(
+        solved.clip, solved.clip.skeleton, sensed,
+        [&](int segment, double time) { return solve::heading_at(keys[static_cast<std::size_t>(segment)], time); }, t,
+        poses);
+    EXPECT_LT(difference(poses, motion::pose_at(written.clip, t)), 1e-9) << t;
+    EXPECT_EQ(take.info.skeleton.segments[3].parent, 2);
+    const auto before = motion::pose_at(solved.clip, t);
+    const Eigen::Quaterniond bent = before[2].R_WL.conjugate() * before[3].R_WL;
+    EXPECT_GT(bent.angularDistance(take.info.skeleton.segments[3].R_PL_rest), 0.01) << "it moves";
+    EXPECT_LT(bent.angularDistance(poses[2].R_WL.conjugate() * poses[3].R_WL), 1e-9) << t;
+  }
+}
+
 TEST_F(Poses, LengthsMoveTheChildrenOnly) {
   const body::Skeleton longer =
       body::with_length(solved.clip.skeleton, 1, solved.clip.skeleton.segments[1].length + 0.1);

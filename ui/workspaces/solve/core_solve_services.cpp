@@ -11,13 +11,7 @@ SolveServices core_solve_services() {
     if (take.info.kind == "line-in") {
       return solve::solve_take(take, settings, progress);
     }
-    solve::BodySolveSettings body;
-    body.name = settings.name;
-    body.smooth = true;
-    if (take.info.kind == "driver-box") {
-      body.root = "contacts";  // somebody who stands and walks, as the live figure has it
-    }
-    return solve::solve_sensors(take, body, progress);
+    return solve::solve_sensors(take, settings, progress);
   };
   services.save = solve::save_solve;
   services.load = solve::load_solve;

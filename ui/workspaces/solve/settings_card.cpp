@@ -10,6 +10,7 @@
 #include "common/core_text.h"
 #include "common/theme.h"
 #include "solve/report_text.h"
+#include "workspaces/solve/body_choice_form.h"
 #include "workspaces/solve/quality_text.h"
 
 namespace limbwave::ui {
@@ -76,6 +77,8 @@ void SettingsCard::build() {
   grid->addWidget(calibration_label, 4, 0);
   grid->addWidget(calibration_, 4, 1);
   grid->addWidget(source_, 5, 0, 1, 2);
+  body_choice_ = new BodyChoiceForm(model_, this);
+  body()->addWidget(body_choice_);
   body()->addLayout(grid);
   solve_ = new QPushButton(tr("Solve"), this);
   body()->addWidget(solve_);
@@ -123,10 +126,12 @@ void SettingsCard::show_settings() {
   for (QWidget* widget : for_inclination_) {
     widget->setVisible(model_.by_inclination());
   }
-  hint_->setText(model_.by_inclination()
-                     ? smoothing_hint(settings.smoothing)
-                     : tr("By the body filter, forward and backward, from all sensors. Other choices of sensors and of "
-                          "the root are made by the command line: limbwave solve."));
+  hint_->setVisible(model_.by_inclination());
+  hint_->setText(smoothing_hint(settings.smoothing));
+  body_choice_->setVisible(!model_.by_inclination());
+  if (!model_.by_inclination()) {
+    body_choice_->refresh();
+  }
   const auto milliseconds = static_cast<int>(std::lround(1000.0 * settings.smoothing_s));
   strength_->setValue(milliseconds);
   slider_->setValue(milliseconds);
@@ -138,6 +143,9 @@ void SettingsCard::show_settings() {
 }
 
 void SettingsCard::show_state() {
+  if (!model_.by_inclination()) {
+    body_choice_->refresh();  // Whether there is a truth is known when it is solved.
+  }
   const bool busy = model_.state() == SolveState::kSolving;
   setEnabled(model_.state() != SolveState::kNoTake);
   solve_->setText(busy ? tr("Cancel solving") : (model_.solve() ? tr("Solve again") : tr("Solve")));

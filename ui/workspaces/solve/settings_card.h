@@ -10,6 +10,8 @@ class QSpinBox;
 
 namespace limbwave::ui {
 
+class BodyChoiceForm;
+
 class SettingsCard : public Card {
   Q_OBJECT
  public:
@@ -30,6 +32,7 @@ class SettingsCard : public Card {
   QSpinBox* strength_ = nullptr;
   QLabel *hint_ = nullptr, *source_ = nullptr;
   QPushButton* solve_ = nullptr;
+  BodyChoiceForm* body_choice_ = nullptr;  ///< Shown where the body filter solves.
 };
 
 }  // namespace limbwave::ui

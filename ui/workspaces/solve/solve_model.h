@@ -33,6 +33,8 @@ class SolveModel : public QObject {
   /// The solve as it was computed or loaded: without later edits of headings and lengths. Null before.
   [[nodiscard]] const std::shared_ptr<const solve::Solve>& solve() const { return solve_; }
   [[nodiscard]] const solve::SolveSettings& settings() const { return settings_; }
+  /// How the body filter solves the take: what was chosen, or what is usual for it.
+  [[nodiscard]] solve::BodyChoice body_choice() const;
   [[nodiscard]] const Error& error() const { return error_; }
   /// The running job, null when none runs.
   [[nodiscard]] Job* job() const { return job_; }

@@ -1,6 +1,7 @@
 // What users change in a solve, and how it reaches the disk.
 #include <cmath>
 
+#include "solve/body_solve.h"
 #include "solve/compose.h"
 #include "workspaces/solve/live_headings.h"
 #include "workspaces/solve/solve_commands.h"
@@ -40,6 +41,14 @@ std::function<solve::Solve()> SolveModel::edited() const {
     solve::apply_headings(copy, segments, headings);
     return copy;
   };
+}
+
+solve::BodyChoice SolveModel::body_choice() const {
+  solve::BodyChoice choice = settings_.body.value_or(solve::BodyChoice());
+  if (choice.root.empty() && take_) {
+    choice.root = solve::usual_root(*take_);
+  }
+  return choice;
 }
 
 void SolveModel::change_settings(const solve::SolveSettings& settings, const QString& what, int gesture) {
