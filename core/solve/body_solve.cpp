@@ -350,10 +350,7 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
     readings.inertial.insert(readings.inertial.end(), words.begin(), words.end());
     return {};
   };
-  decode::DriverBoxParameters parameters;
-  if (by_past) {
-    parameters.ranging.look_ahead_s = 0.0;
-  }
+  const decode::DriverBoxParameters parameters = by_past ? live_decoding() : decode::DriverBoxParameters();
   const Result<DriverBoxReport> decoded = decode_driver_box(take, parameters, keep, progress);
   if (!decoded) {
     return decoded.error();
