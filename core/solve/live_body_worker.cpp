@@ -60,8 +60,7 @@ Status LiveBodyWorker::prepare() {
   decode::DriverBoxFormat decoded = driver_box_format(settings.rig, settings.skeleton, settings.ranging);
   decoded.rate = format.rate;
   const decode::DriverBoxParameters parameters = live_decoding();
-  settled_s_ =
-      live_settled_s(parameters, settings.rig.driver_box->word_rate_hz, aligner_ ? aligner_->delay_s() : 0.0);
+  settled_s_ = live_settled_s(parameters, settings.rig.driver_box->word_rate_hz, aligner_ ? aligner_->delay_s() : 0.0);
   decoder_ = std::make_unique<decode::DriverBoxDecoder>(decoded, parameters);
   return {};
 }

@@ -9,6 +9,7 @@
 
 #include "common/core_texts.h"
 #include "common/format.h"
+#include "common/shown_names.h"
 
 namespace limbwave::ui {
 namespace {
@@ -95,7 +96,7 @@ QString translated(const QString& text, int depth) {
       return translated(text.left(at), depth + 1) + joint + translated(text.mid(at + joint.size()), depth + 1);
     }
   }
-  return text;
+  return shown_name(text.toStdString());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <QWindow>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -57,6 +58,7 @@ struct ViewerWidget::Impl {
   bool floor = true, sensors = true, ghost = true;
   std::vector<Eigen::Vector3d> extent;
   bool framed = false;  // Once a figure has been shown, the user's view stays.
+  bool follows = false;
   std::optional<bool> dark;
   QPointF pressed_at, last_at;
   Qt::MouseButton button = Qt::NoButton;
@@ -143,6 +145,23 @@ void ViewerWidget::set_pose(const std::vector<body::SegmentPose>& poses, double 
   if (!impl_->framed && !poses.empty()) {
     frame_all();
   }
+  if (impl_->framed && impl_->follows && is_out_of_view()) {
+    const Sphere sphere = bounds(impl_->skeleton, impl_->poses);
+    impl_->camera.frame(sphere.centre, 1.1 * sphere.radius, width() / std::max(1.0, static_cast<double>(height())));
+    update_camera();
+  }
+}
+
+void ViewerWidget::set_follows(bool follows) {
+  impl_->follows = follows;
+}
+
+bool ViewerWidget::is_out_of_view() const {
+  const Eigen::Vector2d size(width(), std::max(1, height()));
+  return isVisible() && std::none_of(impl_->poses.begin(), impl_->poses.end(), [&](const body::SegmentPose& pose) {
+           const auto pixel = impl_->camera.project(pose.p_WL, size);
+           return pixel && (pixel->array() >= 0.0).all() && (pixel->array() <= size.array()).all();
+         });
 }
 
 void ViewerWidget::set_sensors(const std::vector<ViewerSensor>& sensors) {

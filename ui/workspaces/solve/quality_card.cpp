@@ -5,6 +5,7 @@
 
 #include "common/format.h"
 #include "common/icons.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
@@ -181,7 +182,7 @@ void TruthCard::rebuild() {
       continue;
     }
     const evaluate::ErrorStatistics& error = found->second;
-    grid->addWidget(new ElidedLabel(QString::fromStdString(segment.name), content), line, 0);
+    grid->addWidget(new ElidedLabel(shown_name(segment.name), content), line, 0);
     grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_mean_deg, 'f', 2)), content), line,
                     1);
     grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_max_deg, 'f', 1)), content), line,

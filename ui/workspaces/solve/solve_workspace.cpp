@@ -15,6 +15,7 @@
 #include "common/format.h"
 #include "common/icons.h"
 #include "common/latency_text.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 #include "workspaces/record_banner.h"
@@ -33,7 +34,7 @@ constexpr int kVerdictIcon = 18;
 std::vector<ViewerSensor> viewer_sensors(const body::Rig& rig, const body::Skeleton& skeleton) {
   std::vector<ViewerSensor> list;
   for (const body::Accelerometer& sensor : rig.accelerometers) {
-    list.push_back({QString::fromStdString(sensor.name), skeleton.find(sensor.segment), sensor.R_LS, sensor.p_LS});
+    list.push_back({shown_name(sensor.name), skeleton.find(sensor.segment), sensor.R_LS, sensor.p_LS});
   }
   return list;
 }
