@@ -3671,6 +3671,14 @@
         <source>name a take of the same driver box and rig</source>
         <translation>nennen Sie einen Take derselben Treiberbox mit demselben Rig</translation>
     </message>
+    <message>
+        <source>has no driver box in its rig</source>
+        <translation>hat keine Treiberbox in seinem Rig</translation>
+    </message>
+    <message>
+        <source>give it the rig it was recorded with</source>
+        <translation>geben Sie ihm das Rig, mit dem er aufgenommen wurde</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -4820,6 +4828,17 @@
     <message>
         <source>Fast movement does that: try another smoothing, and check the mounting.</source>
         <translation>Das kommt von schneller Bewegung: Versuchen Sie eine andere Glättung und prüfen Sie die Befestigung.</translation>
+    </message>
+    <message>
+        <source>Good: all boards were heard, and agree.</source>
+        <translation>Gut: Alle Platinen waren zu hören und widersprechen sich nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s). %1</source>
+        <translation>
+            <numerusform>%n Befund. %1</numerusform>
+            <numerusform>%n Befunde. %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7460,6 +7479,10 @@
     <message>
         <source>%1 of take; decoded in %2 s, solved in %3 s</source>
         <translation>%1 Take; dekodiert in %2 s, berechnet in %3 s</translation>
+    </message>
+    <message>
+        <source>Joints ± %1° on average (1 σ, by the filter itself)</source>
+        <translation>Gelenke im Mittel ± %1° (1 σ, nach dem Filter selbst)</translation>
     </message>
 </context>
 <context>

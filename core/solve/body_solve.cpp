@@ -316,6 +316,9 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
 Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
                                                    const Progress& progress, bool by_past, bool align) {
   const body::Rig& rig = take.info.rig;
+  if (!rig.driver_box) {
+    return Error{"has no driver box in its rig", take.folder.string(), "give it the rig it was recorded with"};
+  }
   std::vector<int> board_of_chip;
   for (const body::Gyroscope& gyroscope : rig.gyroscopes) {
     board_of_chip.push_back(model.find_board(gyroscope.name));

@@ -783,6 +783,8 @@ inline constexpr const char* kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "a smoother looks to both sides and cannot resume"),
     QT_TRANSLATE_NOOP("Core", "choose the filter"),
     QT_TRANSLATE_NOOP("Core", "as read"),
+    QT_TRANSLATE_NOOP("Core", "has no driver box in its rig"),
+    QT_TRANSLATE_NOOP("Core", "give it the rig it was recorded with"),
     QT_TRANSLATE_NOOP("Core", "the inclination at %1 s is not a number"),
     QT_TRANSLATE_NOOP("Core", "solve with another smoothing, and report this with the take"),
     QT_TRANSLATE_NOOP("Core", "is too short to find the multiplexer's clock in it"),

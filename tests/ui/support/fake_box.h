@@ -60,6 +60,8 @@ class FakeBoxBackend : public LiveBackend {
     take.folder = folder_;
     take.info.kind = "driver-box";
     take.info.complete = true;
+    take.info.rig = body::load_rig("driver-box-body").value();
+    take.info.skeleton = body::load_skeleton(take.info.rig.skeleton).value();
     take.info.format = box_->says.format;
     take.info.frames = static_cast<std::int64_t>((steady_now_s() - since_s_) * 140000.0);
     since_s_ = 0.0;

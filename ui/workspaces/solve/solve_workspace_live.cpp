@@ -43,7 +43,6 @@ void SolveWorkspace::set_live(bool live) {
   } else {
     live_timer_.stop();
   }
-  viewer_->set_follows(live_);
   if (live_ != before) {
     shown_figures_.clear();
     show_figure();
