@@ -196,6 +196,10 @@
 <context>
     <name>Core</name>
     <message>
+        <source>pulled</source>
+        <translation>herausgezogen</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>links</translation>
     </message>
@@ -4434,7 +4438,7 @@
     <name>Names</name>
     <message>
         <source>Whole body, eighteen boards and eight ultrasonic sources on a driver box</source>
-        <translation>Ganzer Körper, achtzehn Platinen und acht Ultraschallquellen an einer Treiberbox</translation>
+        <translation>Ganzer Körper, 18 Platinen und 8 Ultraschallquellen</translation>
     </message>
     <message>
         <source>pelvis</source>
@@ -4832,13 +4836,6 @@
     <message>
         <source>Good: all boards were heard, and agree.</source>
         <translation>Gut: Alle Platinen waren zu hören und widersprechen sich nicht.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n finding(s). %1</source>
-        <translation>
-            <numerusform>%n Befund. %1</numerusform>
-            <numerusform>%n Befunde. %1</numerusform>
-        </translation>
     </message>
 </context>
 <context>

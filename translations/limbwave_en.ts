@@ -12,16 +12,6 @@
     </message>
 </context>
 <context>
-    <name>Quality</name>
-    <message numerus="yes">
-        <source>%n finding(s). %1</source>
-        <translation>
-            <numerusform>%n finding. %1</numerusform>
-            <numerusform>%n findings. %1</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>StatusFacts</name>
     <message numerus="yes">
         <source>box: %n gap(s)</source>

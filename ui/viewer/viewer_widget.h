@@ -59,7 +59,7 @@ class ViewerWidget : public QWidget {
   /// What "everything" is for framing: points of a whole motion, metres. Without any, the present pose. The first ones
   /// also place the camera.
   void set_extent(std::vector<Eigen::Vector3d> points);
-  /// A figure of which nothing is in the picture any more is framed again: for live ones, whose way nobody knows.
+  /// The camera goes along with a figure that is about to leave the picture.
   void set_follows(bool follows);
 
   void look(ViewDirection direction);
@@ -100,7 +100,7 @@ class ViewerWidget : public QWidget {
  private:
   struct Impl;
   void update_camera();
-  [[nodiscard]] bool is_out_of_view() const;
+  void follow_figure();
   void follow_palette();
   std::unique_ptr<Impl> impl_;
 };

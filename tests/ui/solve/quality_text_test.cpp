@@ -33,8 +33,10 @@ TEST(Quality, TheBodyFilterIsJudgedByItsFindings) {
   EXPECT_EQ(verdict.tone, Tone::kWarning);
   EXPECT_TRUE(verdict.text.contains(QStringLiteral("never heard")));
   EXPECT_EQ(verdict.remedy, QStringLiteral("Check it"));
-  report.diagnostics.push_back({Severity::kWarning, "body.blackout", "nothing was heard", "check the box", ""});
-  EXPECT_TRUE(overall_verdict(report).text.startsWith(QStringLiteral("2 ")));
+  report.diagnostics.push_back({Severity::kError, "body.blackout", "nothing was heard", "check the box", ""});
+  verdict = overall_verdict(report);
+  EXPECT_EQ(verdict.tone, Tone::kDanger);
+  EXPECT_EQ(verdict.remedy, QStringLiteral("Check the box"));
 }
 
 TEST(Quality, TheWorstPartIsToldWithItsRemedy) {

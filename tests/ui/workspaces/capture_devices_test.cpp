@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "common/widgets.h"
 #include "plots/scope_view.h"
 #include "ui/support/capture_fixture.h"
 #include "workspaces/capture/board_dialog.h"

@@ -156,9 +156,7 @@ bool is_by_body_filter(const solve::QualityReport& report) {
 // The body filter says all that it has to say in findings: it knows neither cycles nor a line.
 static Verdict body_verdict(const solve::QualityReport& report) {
   const Diagnostic* worst_one = nullptr;
-  int warnings = 0;
   for (const Diagnostic& one : report.diagnostics) {
-    warnings += one.severity == Severity::kWarning ? 1 : 0;
     if (one.severity != Severity::kInfo && (worst_one == nullptr || one.severity > worst_one->severity)) {
       worst_one = &one;
     }
@@ -166,11 +164,7 @@ static Verdict body_verdict(const solve::QualityReport& report) {
   if (worst_one == nullptr) {
     return {Tone::kGood, Quality::tr("Good: all boards were heard, and agree."), {}};
   }
-  Verdict verdict = diagnostic_verdict(*worst_one);
-  if (warnings > 1 && worst_one->severity == Severity::kWarning) {
-    verdict.text = Quality::tr("%n finding(s). %1", nullptr, warnings).arg(verdict.text);
-  }
-  return verdict;
+  return diagnostic_verdict(*worst_one);
 }
 
 Verdict overall_verdict(const solve::QualityReport& report, const evaluate::Evaluation* evaluation) {
