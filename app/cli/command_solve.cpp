@@ -129,7 +129,12 @@ void add_solve(CLI::App& app, Console& console) {
                                                 : estimate::StartMode::kAny;
       body.save_state = options->save_state;
       body.resume = options->resume;
-      return solve::solve_sensors(take, body, console.progress());
+      Result<solve::Solve> by_filter = solve::solve_sensors(take, body, console.progress());
+      if (by_filter) {
+        solve::apply_headings(*by_filter, solve::sensor_segments(take.info.rig, by_filter->clip.skeleton),
+                              solve::known_headings(take, settings.name));
+      }
+      return by_filter;
     };
     solve::Solve solve = console.check(solved());
     if (options->method != "inclination" && !settings.headings.empty()) {

@@ -48,26 +48,33 @@ TEST_F(Poses, HeadingsTurnAsWhenTheyAreWrittenIntoTheClip) {
   }
 }
 
-// A body filter finds the neck, which has no board: neither showing nor writing headings puts it back to rest.
-TEST_F(Poses, WhatWasSolvedWithoutASensorIsKept) {
-  sensed[3] = false;
-  std::vector<std::vector<solve::HeadingKey>> keys(take.info.skeleton.segments.size());
-  keys[1] = {{0.5, 0.4}, {3.0, -1.0}};
-  solve::Solve written = solved;
-  solve::apply_headings(written, {0, 1, 2, 4}, keys);
+// A body filter knows joints of bones without sensors, too: they are not straightened, neither seen nor written.
+TEST_F(Poses, BonesWithoutSensorsKeepTheirBend) {
+  const std::size_t bare = 2, parent = 1;
+  ASSERT_EQ(take.info.skeleton.segments[bare].parent, static_cast<int>(parent));
+  sensed[bare] = false;
+  const double t = 1.5;
+  const auto before = motion::pose_at(solved.clip, t);
+  const body::Quaterniond bend = before[parent].R_WL.conjugate() * before[bare].R_WL;
+  ASSERT_GT(bend.angularDistance(take.info.skeleton.segments[bare].R_PL_rest), 0.05);
   std::vector<body::SegmentPose> poses;
-  for (const double t : {0.5, 2.0, 3.5}) {
-    edited_pose(
-        solved.clip, solved.clip.skeleton, sensed,
-        [&](int segment, double time) { return solve::heading_at(keys[static_cast<std::size_t>(segment)], time); }, t,
-        poses);
-    EXPECT_LT(difference(poses, motion::pose_at(written.clip, t)), 1e-9) << t;
-    EXPECT_EQ(take.info.skeleton.segments[3].parent, 2);
-    const auto before = motion::pose_at(solved.clip, t);
-    const Eigen::Quaterniond bent = before[2].R_WL.conjugate() * before[3].R_WL;
-    EXPECT_GT(bent.angularDistance(take.info.skeleton.segments[3].R_PL_rest), 0.01) << "it moves";
-    EXPECT_LT(bent.angularDistance(poses[2].R_WL.conjugate() * poses[3].R_WL), 1e-9) << t;
+  edited_pose(
+      solved.clip, solved.clip.skeleton, sensed, [](int, double) { return 0.0; }, t, poses);
+  EXPECT_LT(difference(poses, before), 1e-12);
+  edited_pose(
+      solved.clip, solved.clip.skeleton, sensed,
+      [&](int segment, double) { return segment == static_cast<int>(parent) ? 0.7 : 0.0; }, t, poses);
+  EXPECT_NEAR(poses[parent].R_WL.angularDistance(before[parent].R_WL), 0.7, 1e-9);
+  EXPECT_LT((poses[parent].R_WL.conjugate() * poses[bare].R_WL).angularDistance(bend), 1e-9);
+  std::vector<std::vector<solve::HeadingKey>> keys(take.info.skeleton.segments.size());
+  keys[parent] = {{0.0, 0.7}};
+  std::vector<int> segments;
+  for (std::size_t s = 0; s < sensed.size(); ++s) {
+    segments.push_back(sensed[s] ? static_cast<int>(s) : -1);
   }
+  solve::Solve written = solved;
+  solve::apply_headings(written, segments, keys);
+  EXPECT_LT(difference(poses, motion::pose_at(written.clip, t)), 1e-9);
 }
 
 TEST_F(Poses, LengthsMoveTheChildrenOnly) {
