@@ -31,7 +31,7 @@ struct Options {
   // Of a driver box.
   bool live = false;
   std::string root = "contacts", sensors = "AGD", ranging;
-  double pose_rate = 60.0;
+  double pose_rate = 60.0, lag = 0.0;
 };
 
 std::unique_ptr<acquire::LiveSource> open_source(const Options& options, Console& console) {
@@ -224,6 +224,7 @@ void record_box(const Options& options, Given given, bool as_json, Console& cons
   settings.solve.root = options.root;
   settings.solve.sensors = options.sensors;
   settings.solve.rate_hz = options.pose_rate;
+  settings.lag_s = options.lag;
   settings.ranging.method = "nominal";
   settings.ranging.speed_of_sound = calibrate::speed_of_sound(options.temperature, options.humidity / 100.0);
   if (!options.ranging.empty()) {
@@ -317,6 +318,11 @@ void add_record(CLI::App& app, Console& console) {
       ->capture_default_str();
   command->add_option("--pose-rate", options->pose_rate, "Poses a second of the live filter at most")
       ->check(within(1.0, 140.0))
+      ->capture_default_str();
+  command
+      ->add_option("--lag", options->lag,
+                   "Of the live filter: its figure is smoothed by what comes so many seconds later, and shown then")
+      ->check(within(0.0, 2.0))
       ->capture_default_str();
   command->add_option(
       "--ranging", options->ranging,

@@ -30,7 +30,7 @@ struct LiveBodySettings {
   calibrate::RangingCalibration ranging;
   /// Sensors, root ("free", "fixed" or "contacts"), start, and poses a second; the rest has no meaning here.
   BodySolveSettings solve;
-  double lag_s = 0.0;          ///< Of the fixed-lag smoother; 0: none. Figures show the filter's pose in any case.
+  double lag_s = 0.0;          ///< Of the fixed-lag smoother, whose poses figures then show; 0: none, the filter's.
   double most_behind_s = 1.0;  ///< So much may wait for decoder and filter; beyond it the live picture skips.
 };
 

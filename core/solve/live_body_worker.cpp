@@ -157,18 +157,17 @@ void LiveBodyWorker::take_in(const Fresh& fresh) {
   arrived_s_ = fresh.arrived_s;
 }
 
-void LiveBodyWorker::show(const estimate::TrackedPose& pose) {
-  state_.pose = body::poses_from_joints(settings.skeleton, pose.R_joint, pose.root_p_W);
-  state_.pose_time_s = pose.time_s;
+void LiveBodyWorker::show(const std::vector<body::SegmentPose>& pose, double time_s) {
   auto next = std::make_shared<LiveFigure>();
   next->number = ++figures_;
-  next->pose = state_.pose;
-  next->time_s = pose.time_s;
+  next->pose = pose;
+  next->time_s = time_s;
   if (clock_.known()) {
-    // The pose waits for what may still come out of the decoder with its time.
-    next->times.oldest_slot = clock_.time_of((pose.time_s - (aligner_ ? 2.0 : 1.0) * kWordInterval) * format.rate.hz);
-    next->times.instant = clock_.time_of(pose.time_s * format.rate.hz);
-    next->times.cycle_end = std::min(arrived_s_, clock_.time_of((pose.time_s + settled_s_) * format.rate.hz));
+    // The pose waits for what may still come out of the decoder with its time, and for what a smoother looks ahead.
+    const double waits_s = settled_s_ + std::max(settings.lag_s, 0.0);
+    next->times.oldest_slot = clock_.time_of((time_s - (aligner_ ? 2.0 : 1.0) * kWordInterval) * format.rate.hz);
+    next->times.instant = clock_.time_of(time_s * format.rate.hz);
+    next->times.cycle_end = std::min(arrived_s_, clock_.time_of((time_s + waits_s) * format.rate.hz));
     next->times.arrived = arrived_s_;
     next->times.solved = now_s();
     latency_.add(next->times);
@@ -230,7 +229,13 @@ void LiveBodyWorker::hand_on(bool all) {
   if (!poses.empty()) {
     state_.poses += static_cast<std::int64_t>(poses.size());
     pose_times_.insert(pose_times_.end(), poses.size(), now_s());
-    show(poses.back());
+    state_.pose = body::poses_from_joints(settings.skeleton, poses.back().R_joint, poses.back().root_p_W);
+    state_.pose_time_s = poses.back().time_s;
+  }
+  if (settings.lag_s > 0.0 && !smoothed.empty()) {
+    show(state_.smoothed, state_.smoothed_time_s);
+  } else if (settings.lag_s <= 0.0 && !poses.empty()) {
+    show(state_.pose, state_.pose_time_s);
   }
 }
 

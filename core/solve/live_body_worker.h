@@ -69,7 +69,7 @@ struct LiveBodyWorker {
   [[nodiscard]] std::int64_t length_of(const acquire::BoxPiece& piece) const;
   void take_in(const Fresh& fresh);
   void hand_on(bool all);
-  void show(const estimate::TrackedPose& pose);
+  void show(const std::vector<body::SegmentPose>& pose, double time_s);
   /// What the filter knows now, with what the puller said last.
   void publish();
   /// What the puller knows now: faces see it however far the filter is behind.

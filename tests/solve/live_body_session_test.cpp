@@ -90,7 +90,13 @@ TEST(LiveBodySession, RecordsAndSolvesAndTheRecordingSolvesToTheSameBits) {
     smoothed += later.size();
   });
   std::atomic<int> told{0};
-  session.on_figure([&] { ++told; });
+  double behind_s = 0.0;  // of what figures show, against the newest pose
+  session.on_figure([&] {
+    ++told;
+    if (!simulated.done && !live.empty()) {
+      behind_s = std::max(behind_s, live.back().time_s - session.figure()->time_s);
+    }
+  });
   ASSERT_TRUE(session.start(folder.path() / "live.take", "somebody").ok());
   EXPECT_FALSE(session.start().ok());
   while (!simulated.done) {
@@ -108,6 +114,7 @@ TEST(LiveBodySession, RecordsAndSolvesAndTheRecordingSolvesToTheSameBits) {
   ASSERT_NE(session.figure(), nullptr);
   EXPECT_EQ(session.figure()->time_s, live.back().time_s);
   EXPECT_GT(told, 0);
+  EXPECT_GT(behind_s, settings.lag_s);
   EXPECT_EQ(smoothed, live.size());
 
   solve::BodySolveSettings again = settings.solve;

@@ -139,9 +139,10 @@ std::shared_ptr<const solve::LiveSnapshot> BoxBackend::snapshot() const {
   for (const solve::BoxWire& wire : now->wires) {
     next->health.push_back(wire_health(wire, now->connected));
   }
-  next->pose = now->pose;
+  const bool smooth = !now->smoothed.empty();
+  next->pose = smooth ? now->smoothed : now->pose;
   turn(next->pose);
-  next->pose_time_s = now->pose_time_s;
+  next->pose_time_s = smooth ? now->smoothed_time_s : now->pose_time_s;
   next->diagnostics = now->diagnostics;
   // While it records, those of the recording.
   if (!now->recording) {
@@ -194,6 +195,7 @@ Result<std::unique_ptr<LiveBackend>> open_box_backend(const std::string& id, con
   body.ranging = std::move(ranging);
   body.solve.root = "contacts";
   body.solve.rate_hz = kPosesHz;
+  body.lag_s = setup.figure_lag_s;
   return std::unique_ptr<LiveBackend>(std::make_unique<BoxBackend>(std::move(box).value(), body));
 }
 

@@ -107,6 +107,28 @@ class BoxPanelTest : public QObject {
     QCOMPARE(capture.opened().temperature_c, 27.5);
   }
 
+  void the_live_figure_may_come_later_and_smoothed() {
+    Capture capture;
+    QVERIFY(capture.choose(kFakeBox));
+    auto* figure = capture.find<QComboBox>("box_figure");
+    QCOMPARE(figure->currentText(), QStringLiteral("Newest pose"));
+    QCOMPARE(capture.opened().figure_lag_s, 0.0);
+    figure->setCurrentIndex(2);
+    Q_EMIT figure->activated(2);
+    QTRY_COMPARE(capture.opened().figure_lag_s, 0.5);
+    QTRY_VERIFY(capture.live().running());
+    QVERIFY(capture.choose("simulator:wave"));
+    QVERIFY(capture.choose(kFakeBox));
+    QCOMPARE(capture.opened().figure_lag_s, 0.5);
+    QCOMPARE(figure->currentIndex(), 2);
+    figure->setCurrentIndex(0);
+    Q_EMIT figure->activated(0);
+    QTRY_COMPARE(capture.opened().figure_lag_s, 0.0);
+    QTRY_VERIFY(capture.live().running());
+    capture.studio.context->undo_stack().undo();
+    QTRY_COMPARE(capture.opened().figure_lag_s, 0.5);
+  }
+
   // Delays of the sources from another take of this box: read, in use, told, taken back.
   void sources_are_known_from_a_take() {
     const test::TemporaryFolder folder;

@@ -45,7 +45,8 @@ BoxPanel::BoxPanel(StudioContext& context, CaptureModel& model, QWidget* parent)
       temperature_(spin(QStringLiteral("box_temperature"), -30.0, 60.0, 0.5, 1, tr(" °C"), this)),
       humidity_(spin(QStringLiteral("box_humidity"), 0.0, 100.0, 5.0, 0, tr(" %"), this)),
       height_(spin(QStringLiteral("box_height"), 0.0, 2.6, 0.01, 2, tr(" m"), this)),
-      sources_(new QComboBox(this)) {
+      sources_(new QComboBox(this)),
+      figure_(new QComboBox(this)) {
   setObjectName(QStringLiteral("box_panel"));
   QFont bold = state_->font();
   bold.setWeight(QFont::DemiBold);
@@ -80,6 +81,18 @@ BoxPanel::BoxPanel(StudioContext& context, CaptureModel& model, QWidget* parent)
   sources_->setMinimumContentsLength(10);
   form->addRow(dim_label(tr("Sources"), this), sources_);
   connect(sources_, &QComboBox::activated, this, &BoxPanel::choose_sources);
+  figure_->setObjectName(QStringLiteral("box_figure"));
+  figure_->setAccessibleName(tr("Live figure"));
+  figure_->setToolTip(
+      tr("Smoothed, it moves as calmly as a solved take, and so much later. What is recorded is the same."));
+  figure_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  figure_->setMinimumContentsLength(10);
+  for (const double lag_s : {0.0, 0.2, 0.5}) {
+    figure_->addItem(
+        lag_s > 0.0 ? tr("Smoothed, %1 s later").arg(QLocale().toString(lag_s, 'f', 1)) : tr("Newest pose"), lag_s);
+  }
+  form->addRow(dim_label(tr("Figure"), this), figure_);
+  connect(figure_, &QComboBox::activated, this, &BoxPanel::apply);
   body()->addLayout(form);
   QLabel* learn = link_label(tr("What the words mean, and what to do"), this);
   learn->setObjectName(QStringLiteral("learn_box"));
@@ -104,9 +117,10 @@ void BoxPanel::refresh_setup() {
   temperature_->setValue(setup.temperature_c);
   humidity_->setValue(setup.humidity);
   height_->setValue(setup.height_m);
+  figure_->setCurrentIndex(std::max(0, figure_->findData(setup.figure_lag_s)));
   const LiveModel& live = context_.live();
   const bool free = !live.recording() && !live.starting() && !live.finishing();
-  for (QWidget* box : std::initializer_list<QWidget*>{temperature_, humidity_, height_, sources_}) {
+  for (QWidget* box : std::initializer_list<QWidget*>{temperature_, humidity_, height_, sources_, figure_}) {
     box->setEnabled(free);
   }
   const QString take = QString::fromStdString(setup.ranging_take);
@@ -160,6 +174,7 @@ void BoxPanel::apply() {
   setup.temperature_c = temperature_->value();
   setup.humidity = humidity_->value();
   setup.height_m = height_->value();
+  setup.figure_lag_s = figure_->currentData().toDouble();
   model_.set_device_setup(setup);
 }
 

@@ -27,7 +27,7 @@ class BoxPanel : public Card {
   CaptureModel& model_;
   QLabel *state_, *figures_, *advice_;
   QDoubleSpinBox *temperature_, *humidity_, *height_;
-  QComboBox* sources_;
+  QComboBox *sources_, *figure_;
 };
 
 }  // namespace limbwave::ui

@@ -18,6 +18,7 @@ struct DeviceFormat {
 constexpr std::array kUsualRates{44100.0, 48000.0, 88200.0, 96000.0, 176400.0, 192000.0};
 constexpr std::array kTypes{acquire::SampleType::kInt16, acquire::SampleType::kInt24, acquire::SampleType::kInt32,
                             acquire::SampleType::kFloat32};
+constexpr double kLongestLag_s = 2.0;
 constexpr int kMostPairs = 32;  // of inputs
 
 bool offers_rate(const acquire::DeviceInfo& device, double hz) {
@@ -115,7 +116,7 @@ QString format_words(const acquire::StreamFormat& format, const DeviceSetup& set
 DeviceSetup remembered_setup(QSettings& settings, const acquire::DeviceInfo& device) {
   const QStringList parts = settings.value(settings_key(device)).toStringList();
   DeviceSetup setup;
-  if (parts.size() != 4 && parts.size() != 7 && parts.size() != 8) {
+  if (parts.size() != 4 && (parts.size() < 7 || parts.size() > 9)) {
     return setup;
   }
   if (parts.size() >= 7) {
@@ -123,6 +124,7 @@ DeviceSetup remembered_setup(QSettings& settings, const acquire::DeviceInfo& dev
     setup.humidity = std::clamp(parts[5].toDouble(), 0.0, 100.0);
     setup.height_m = std::clamp(parts[6].toDouble(), 0.0, 2.6);
     setup.ranging_take = parts.value(7).toStdString();
+    setup.figure_lag_s = std::clamp(parts.value(8).toDouble(), 0.0, kLongestLag_s);
   }
   if (const double rate = parts[0].toDouble(); offers_rate(device, rate)) {
     setup.rate_hz = rate;
@@ -145,7 +147,8 @@ void remember_setup(QSettings& settings, const acquire::DeviceInfo& device, cons
       QStringList{QString::number(setup.rate_hz, 'g', 12),
                   QString::fromLatin1(type.data(), static_cast<qsizetype>(type.size())), QString::number(setup.left),
                   QString::number(setup.right), QString::number(setup.temperature_c), QString::number(setup.humidity),
-                  QString::number(setup.height_m), QString::fromStdString(setup.ranging_take)});
+                  QString::number(setup.height_m), QString::fromStdString(setup.ranging_take),
+                  QString::number(setup.figure_lag_s)});
 }
 
 }  // namespace limbwave::ui
