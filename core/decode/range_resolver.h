@@ -81,6 +81,8 @@ class RangeResolver {
   void by_paper(const HeardSlot& heard, const TrackerStep& step, RangeTracker& tracker, RangeReading& reading) const;
   void by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
                    RangeReading& reading, Guess& guess);
+  [[nodiscard]] double misfit_of(const Arrival& arrival,
+                                 const std::optional<RangeTracker::Expectation>& expected) const;
   [[nodiscard]] const Arrival& straight(const HeardSlot& heard,
                                         const std::optional<RangeTracker::Expectation>& expected) const;
   void weigh(const RangingSource& source, double range, double amplitude, double noise, const Direction& towards,
