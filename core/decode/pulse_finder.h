@@ -44,7 +44,7 @@ class PulseFinder {
   struct Fit {
     double place = 0.0;  // of the pulse's beginning, in values
     std::complex<double> a;
-    double turn = 0.0;           // of the carrier, radians per value
+    double turn = 0.0;                                // of the carrier, radians per value
     double measured_turn = 0.0, turn_variance = 0.0;  // before it was shrunk by what limbs usually do
   };
   void correlate(std::size_t first, std::size_t last);

@@ -43,7 +43,7 @@ RangeResolver::RangeResolver(SampleRate rate, int receiver, const std::vector<Ra
       frame_of_(format_.sources.size(), 0),
       stretch_(static_cast<std::size_t>(
           std::max(0.0, std::ceil(parameters.look_ahead_s * rate.hz / format_.slot_samples)))) {
-  const Followed::Pair pair{CycleTracker(wavelength_, parameters.stray, parameters.stray_m)};
+  const Followed::Pair pair{CycleTracker(wavelength_, parameters_.stray, parameters_.stray_m)};
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const auto& [format, geometry] = frames[f];
     const auto w = static_cast<std::size_t>(receiver);
@@ -192,9 +192,10 @@ std::optional<RangeResolver::Direction> RangeResolver::by_skeleton(const Tracker
   return Direction{angle, std::min(kNowhere, std::hypot(step.board.place_sd, kBones) / distance)};
 }
 
-// What an echo that is not told apart leaves: in the pulse's shape, and in how its carrier turns, which the microphone's
-// movement has to explain. Energy over the noise's.
-double RangeResolver::misfit_of(const Arrival& arrival, const std::optional<RangeTracker::Expectation>& expected) const {
+// What an echo that is not told apart leaves: in the pulse's shape, and in how its carrier turns, which the
+// microphone's movement has to explain. Energy over the noise's.
+double RangeResolver::misfit_of(const Arrival& arrival,
+                                const std::optional<RangeTracker::Expectation>& expected) const {
   const double per_speed = 2.0 * kPi / wavelength_;
   const double turn = expected ? -per_speed * expected->rate : 0.0;
   const double rate_variance = expected ? expected->P(1, 1) + kRateSd * kRateSd : kUsualRate * kUsualRate;
@@ -214,8 +215,7 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
   const Arrival& arrival = straight(heard, expected);
   const double misfit = misfit_of(arrival, expected);
   reading.envelope_range = c * arrival.delay_s;
-  reading.envelope_variance =
-      c * c * arrival.delay_variance * (1.0 + kEchoDelay * misfit) + kSystematic * kSystematic;
+  reading.envelope_variance = c * c * arrival.delay_variance * (1.0 + kEchoDelay * misfit) + kSystematic * kSystematic;
   if (arrival.amplitude > kOverload) {
     reading.envelope_variance += kOverloaded * kOverloaded;
   }
@@ -240,7 +240,7 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
   const double turn_sd = std::hypot(std::abs(slope) * towards.sd * radian, parameters_.phase_sd * std::max(1.0, u * u));
   const double phase_variance =
       arrival.phase_variance * (1.0 + kEchoPhase * misfit) * radian * radian + turn_sd * turn_sd;
-  weigh(source, reading.envelope_range, arrival.amplitude, heard.noise, towards, reading);
+  weigh(source, reading.envelope_range, arrival.amplitude, heard.noise, towards, worn, reading);
   reading.range = reading.envelope_range;
   reading.variance = reading.envelope_variance;
   reading.flight_s = reading.range / c;

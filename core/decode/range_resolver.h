@@ -86,7 +86,7 @@ class RangeResolver {
   [[nodiscard]] const Arrival& straight(const HeardSlot& heard,
                                         const std::optional<RangeTracker::Expectation>& expected) const;
   void weigh(const RangingSource& source, double range, double amplitude, double noise, const Direction& towards,
-             RangeReading& reading) const;
+             const std::optional<Direction>& worn, RangeReading& reading) const;
   [[nodiscard]] CycleResult resolve(double phase_variance, const TrackerStep& step,
                                     const RangeTracker::Expectation& expected,
                                     const std::optional<RangePrediction>& told, const RangeReading& reading,
