@@ -1,4 +1,5 @@
 #include "solve/body_solve.h"
+#include "solve/compose.h"
 #include "workspaces/solve/solve_services.h"
 
 namespace limbwave::ui {
@@ -17,7 +18,11 @@ SolveServices core_solve_services() {
     if (take.info.kind == "driver-box") {
       body.root = "contacts";  // somebody who stands and walks, as the live figure has it
     }
-    return solve::solve_sensors(take, body, progress);
+    Result<solve::Solve> solved = solve::solve_sensors(take, body, progress);
+    if (solved) {
+      solve::apply_headings(*solved, solve::sensor_segments(take.info.rig, solved->clip.skeleton), settings.headings);
+    }
+    return solved;
   };
   services.save = solve::save_solve;
   services.load = solve::load_solve;
