@@ -78,8 +78,9 @@ TEST(PairReach, HoldsAllPosesWithinTheLimits) {
         farthest = std::max(farthest, way.norm());
         foremost = std::min(foremost, std::acos(std::clamp(way.normalized().dot(s.R_WL * source.normal_L), -1.0, 1.0)));
       }
-      EXPECT_LE(farthest, reach.farthest) << name << ", " << source.name;
-      EXPECT_GE(foremost, reach.foremost) << name << ", " << source.name;
+      // Ends are sampled, not solved for; decoding adds 5 degrees and 20 mm.
+      EXPECT_LE(farthest, reach.farthest + 1e-3) << name << ", " << source.name;
+      EXPECT_GE(foremost, reach.foremost - radians(0.5)) << name << ", " << source.name;
       EXPECT_GT(farthest, 0.75 * reach.farthest) << name << ", " << source.name;
     }
   }
