@@ -33,6 +33,9 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
       append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints,
                               joint_covariance(P.row(0), P.stride(), dofs), {}),
                    result.track);
+      if (const FootContacts* feet = run.feet()) {
+        place_root(feet->place(run.filter.state().time_s), result.track, result.track.times.size() - 1);
+      }
     }
     if (i % 64 == 0 && !progress.report(static_cast<double>(i) / static_cast<double>(run.instants.size()))) {
       return cancelled();

@@ -14,9 +14,7 @@ SolveServices core_solve_services() {
     solve::BodySolveSettings body;
     body.name = settings.name;
     body.smooth = true;
-    if (take.info.kind == "driver-box") {
-      body.root = "contacts";  // somebody who stands and walks, as the live figure has it
-    }
+    body.root = solve::usual_root(take);
     return solve::solve_sensors(take, body, progress);
   };
   services.save = solve::save_solve;

@@ -1,0 +1,28 @@
+/// The start of a recording that begins in mid-motion, or in a pose that is not the rest pose.
+///
+/// There is nothing known to start from: where the limbs are has to be found from ranges and gravity, and a filter that
+/// begins at the rest pose linearises them where they are not. So the first seconds are solved as a whole, again and
+/// again, each time linearised about what was found before (body_batch.h), and the recording is started from there.
+#pragma once
+
+#include <optional>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "estimate/body_watch.h"
+
+namespace limbwave::estimate {
+
+struct MovingStartParameters {
+  double seconds = 3.0;  ///< Of the recording that are looked at.
+  int rounds = 6;        ///< Of Gauss and Newton's method at most.
+};
+
+/// The state at the first reading; nothing where the recording begins with rest in the rest pose (as
+/// RestParameters::mode has it), has no ranges, or where what was found fits no better than the first round. Fails when
+/// it is cancelled, or as the filter's start does.
+Result<std::optional<BodyState>> find_moving_start(const BodyModel& model, const BodyFilterParameters& parameters,
+                                                   const BodyWatchParameters& watch, const BodyReadings& readings,
+                                                   const Progress& progress, const MovingStartParameters& start = {});
+
+}  // namespace limbwave::estimate
