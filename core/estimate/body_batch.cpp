@@ -107,15 +107,10 @@ Result<BodyRun> smooth_about(const BodyModel& model, const BodyFilterParameters&
                              BodyStepHook* hook, const BodyTrajectory* about, BodyTrajectory* found,
                              const std::function<bool(double)>& cost) {
   BodyRunner run(model, parameters, readings, rate_hz, hook);
-  if (Status status = run.check(); !status) {
+  BodyRun result;
+  if (Status status = run.begin(result); !status) {
     return status.error();
   }
-  BodyRun result;
-  Result<Diagnostics> started = run.start();
-  if (!started) {
-    return started.error();
-  }
-  result.diagnostics = *std::move(started);
   BodyState point;
   const auto step = [&](std::size_t i, StepRecord* record) {
     if (about != nullptr) {

@@ -95,6 +95,19 @@ class BodyRunner {
     }
   }
 
+  /// Checks and starts: what every run begins with. Findings of the start go to `run`.
+  Status begin(BodyRun& run) {
+    if (Status status = check(); !status) {
+      return status;
+    }
+    Result<Diagnostics> started = start();
+    if (!started) {
+      return started.error();
+    }
+    run.diagnostics = *std::move(started);
+    return {};
+  }
+
   Result<Diagnostics> start() {
     return hook_ != nullptr ? hook_->start(filter, readings_) : start_from_rest(filter, readings_);
   }

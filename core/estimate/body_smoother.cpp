@@ -13,15 +13,10 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
                             const BodyReadings& readings, double rate_hz, const Progress& progress,
                             BodyStepHook* hook) {
   BodyRunner run(model, parameters, readings, rate_hz, hook);
-  if (Status status = run.check(); !status) {
+  BodyRun result;
+  if (Status status = run.begin(result); !status) {
     return status.error();
   }
-  BodyRun result;
-  Result<Diagnostics> started = run.start();
-  if (!started) {
-    return started.error();
-  }
-  result.diagnostics = *std::move(started);
   reserve(result.track, run.instants.size());
   const int dofs = run.filter.layout().dofs;
   for (std::size_t i = 0; i < run.instants.size(); ++i) {

@@ -95,10 +95,11 @@ Result<Diagnostics> BodyWatch::start(BodyFilter& filter, const BodyReadings& rea
   return std::move(started->diagnostics);
 }
 
-// The pose that was found, with what is left of its doubt. Where the root is and ahead is stays the start's to say.
+// The pose and motion that were found, with what is left of their doubt; constants are not learnt twice from the same
+// readings. Where the root is stays the start's to say.
 void BodyWatch::begin_near(BodyFilter& filter, bool root_given) const {
-  BodyState state = *near_;
-  state.time_s = filter.state().time_s;
+  BodyState state = filter.state();
+  state.joints = near_->joints;
   const bool free = filter.tree().root_motion() == body::RootMotion::kFree;
   if (free && !root_given) {
     state.joints.q.head<3>() = filter.state().joints.q.head<3>();

@@ -29,21 +29,6 @@ Drift drift(const BodyModel& model, const BodyReadings& readings, bool feet, boo
   return result;
 }
 
-TEST(FootContacts, SolesOfTheBodyAreItsFeet) {
-  const BodyModel model = eight_boards();
-  const std::vector<Sole> soles = find_soles(model);
-  ASSERT_EQ(soles.size(), 2U);
-  EXPECT_EQ(soles[0].name, "left_foot");
-  EXPECT_EQ(soles[1].name, "right_foot");
-  for (const Sole& sole : soles) {
-    EXPECT_EQ(model.boards[static_cast<std::size_t>(sole.board)].segment, sole.segment);
-    EXPECT_NEAR(sole.p_L.z(), -0.08, 1e-9);
-    EXPECT_NEAR((sole.toe_L - sole.heel_L).norm(), 0.22, 1e-9);
-    EXPECT_NEAR(sole.heel_L.z(), -0.08, 1e-9);
-    EXPECT_NEAR((sole.heel_L + sole.toe_L - 2.0 * sole.p_L).norm(), 0.0, 1e-9);
-  }
-}
-
 TEST(FootContacts, AWalkDriftsByAPercentInsteadOfDozens) {
   const BodyModel model = eight_boards();
   const WalkingPerson person(model.skeleton);
