@@ -4,11 +4,12 @@
 core/ knows no languages: its findings, errors and steps are English. The studio recognises them by their wording, the
 numbers and names in them aside (ui/common/core_text.h). This script reads the wordings off the sources, so that none is
 forgotten, and writes the table. A message is a string literal with words in it; {} of fmt and what is joined to a literal
-by + become %1, %2 ...
+by + become %1, %2 ... Names in the rigs and skeletons that we ship are collected too (ui/common/shown_names.h).
 
 core_texts.py            writes ui/common/core_texts.h
 core_texts.py --check    fails, naming the texts, when that file does not fit the sources
 """
+import json
 import pathlib
 import re
 import sys
@@ -109,6 +110,27 @@ def collected():
     return found
 
 
+# What people read in the rigs and skeletons that we ship.
+FILES = ["resources/rigs", "resources/skeletons"]
+KEYS = ["name", "title", "instruction"]
+
+
+def shipped_names():
+    found = {}
+
+    def look(node, depth):
+        for key, value in node.items() if isinstance(node, dict) else enumerate(node):
+            if isinstance(value, (dict, list)):
+                look(value, depth + 1)
+            elif key in KEYS and isinstance(value, str) and (depth > 0 or key != "name"):
+                found[value.replace("_", " ")] = True
+
+    for folder in FILES:
+        for path in sorted((ROOT / folder).glob("*.json")):
+            look(json.loads(path.read_text("utf-8")), 0)
+    return list(found)
+
+
 def quoted(text):
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
 
@@ -131,6 +153,8 @@ def table(found):
             folder = home
             lines.append(f"    // core/{folder}")
         lines.append(f'    QT_TRANSLATE_NOOP("Core", {quoted(text)}),')
+    lines += ["};", "", "inline constexpr const char* kShippedNames[] = {"]
+    lines += [f'    QT_TRANSLATE_NOOP("Names", {quoted(name)}),' for name in shipped_names()]
     lines += ["};", "", "}  // namespace limbwave::ui"]
     return "\n".join(lines) + "\n"
 

@@ -2,6 +2,64 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>BoxHistoryWords</name>
+    <message>
+        <source>well</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>no source in sight</source>
+        <translation>keine Quelle in Sicht</translation>
+    </message>
+    <message>
+        <source>no words</source>
+        <translation>keine Worte</translation>
+    </message>
+    <message>
+        <source>pulled out</source>
+        <translation>herausgezogen</translation>
+    </message>
+    <message>
+        <source>clips</source>
+        <translation>übersteuert</translation>
+    </message>
+    <message>
+        <source>something was lost</source>
+        <translation>etwas ging verloren</translation>
+    </message>
+    <message>
+        <source>nothing is known</source>
+        <translation>nichts bekannt</translation>
+    </message>
+    <message>
+        <source>%1 s lost on the line</source>
+        <translation>%1 s auf der Strecke verloren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n word(s) lost</source>
+        <translation>
+            <numerusform>%n Wort verloren</numerusform>
+            <numerusform>%n Worte verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 for %2 s</source>
+        <translation>%1, %2 s lang</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 ranges a second</source>
+        <translation>%1 Entfernungen je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3</source>
+        <translation>%1 bei %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>BoxWords</name>
     <message>
         <source>its wire is pulled out of the box</source>
@@ -22,6 +80,10 @@
     <message>
         <source>it says the same for ever; switch the board off and on</source>
         <translation>er sagt immer dasselbe; die Platine aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>the box is away</source>
+        <translation>die Box ist fort</translation>
     </message>
 </context>
 <context>
@@ -133,6 +195,10 @@
 </context>
 <context>
     <name>Core</name>
+    <message>
+        <source>pulled</source>
+        <translation>herausgezogen</translation>
+    </message>
     <message>
         <source>left</source>
         <translation>links</translation>
@@ -3585,6 +3651,38 @@
         <source>save the state again with this version</source>
         <translation>den Zustand mit dieser Version neu speichern</translation>
     </message>
+    <message>
+        <source>is gone</source>
+        <translation>ist fort</translation>
+    </message>
+    <message>
+        <source>check that it is still connected, and open it again</source>
+        <translation>prüfen Sie, ob es noch angeschlossen ist, und öffnen Sie es neu</translation>
+    </message>
+    <message>
+        <source>has no measured calibration of sources</source>
+        <translation>hat keine gemessene Kalibrierung der Quellen</translation>
+    </message>
+    <message>
+        <source>name another take of this driver box</source>
+        <translation>nennen Sie einen anderen Take dieser Treiberbox</translation>
+    </message>
+    <message>
+        <source>has other sources than the rig &quot;%1&quot;</source>
+        <translation>hat andere Quellen als das Rig „%1“</translation>
+    </message>
+    <message>
+        <source>name a take of the same driver box and rig</source>
+        <translation>nennen Sie einen Take derselben Treiberbox mit demselben Rig</translation>
+    </message>
+    <message>
+        <source>has no driver box in its rig</source>
+        <translation>hat keine Treiberbox in seinem Rig</translation>
+    </message>
+    <message>
+        <source>give it the rig it was recorded with</source>
+        <translation>geben Sie ihm das Rig, mit dem er aufgenommen wurde</translation>
+    </message>
 </context>
 <context>
     <name>CoreServices</name>
@@ -4117,6 +4215,10 @@
         <extracomment>Folder of resources/manual that holds the chapters in your language: its code, &quot;de&quot;. Without one leave it as it is.</extracomment>
         <translation>de</translation>
     </message>
+    <message>
+        <source>The driver box</source>
+        <translation>Die Treiberbox</translation>
+    </message>
 </context>
 <context>
     <name>ManualPicture</name>
@@ -4314,6 +4416,201 @@
     <message>
         <source>For the mounting calibration</source>
         <translation>Für die Kalibrierung des Sitzes</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>Quick and hard</source>
+        <translation>Schnell und hart</translation>
+    </message>
+    <message>
+        <source>Squats</source>
+        <translation>Kniebeugen</translation>
+    </message>
+    <message>
+        <source>Slow, with the whole body</source>
+        <translation>Langsam, mit dem ganzen Körper</translation>
+    </message>
+</context>
+<context>
+    <name>Names</name>
+    <message>
+        <source>Whole body, eighteen boards and eight ultrasonic sources on a driver box</source>
+        <translation>Ganzer Körper, 18 Platinen und 8 Ultraschallquellen</translation>
+    </message>
+    <message>
+        <source>pelvis</source>
+        <translation>Becken</translation>
+    </message>
+    <message>
+        <source>abdomen</source>
+        <translation>Bauch</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>linke Schulter</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>linker Oberarm</translation>
+    </message>
+    <message>
+        <source>left forearm</source>
+        <translation>linker Unterarm</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>linke Hand</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>rechte Schulter</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>rechter Oberarm</translation>
+    </message>
+    <message>
+        <source>right forearm</source>
+        <translation>rechter Unterarm</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>rechte Hand</translation>
+    </message>
+    <message>
+        <source>left thigh</source>
+        <translation>linker Oberschenkel</translation>
+    </message>
+    <message>
+        <source>left shin</source>
+        <translation>linker Unterschenkel</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>linker Fuß</translation>
+    </message>
+    <message>
+        <source>right thigh</source>
+        <translation>rechter Oberschenkel</translation>
+    </message>
+    <message>
+        <source>right shin</source>
+        <translation>rechter Unterschenkel</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>rechter Fuß</translation>
+    </message>
+    <message>
+        <source>chest upper left</source>
+        <translation>Brust oben links</translation>
+    </message>
+    <message>
+        <source>belly left</source>
+        <translation>Bauch links</translation>
+    </message>
+    <message>
+        <source>chest lower right</source>
+        <translation>Brust unten rechts</translation>
+    </message>
+    <message>
+        <source>hat</source>
+        <translation>Hut</translation>
+    </message>
+    <message>
+        <source>chest upper right</source>
+        <translation>Brust oben rechts</translation>
+    </message>
+    <message>
+        <source>belly right</source>
+        <translation>Bauch rechts</translation>
+    </message>
+    <message>
+        <source>chest lower left</source>
+        <translation>Brust unten links</translation>
+    </message>
+    <message>
+        <source>belly middle</source>
+        <translation>Bauch Mitte</translation>
+    </message>
+    <message>
+        <source>Right arm, five accelerometers on a sound card</source>
+        <translation>Rechter Arm, fünf Beschleunigungssensoren an einer Soundkarte</translation>
+    </message>
+    <message>
+        <source>torso</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>Oberarm</translation>
+    </message>
+    <message>
+        <source>forearm</source>
+        <translation>Unterarm</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>fingers</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>waagerecht</translation>
+    </message>
+    <message>
+        <source>Stretch the right arm forward, level, palm down, fingers straight.</source>
+        <translation>Den rechten Arm waagerecht nach vorn strecken, Handfläche nach unten, Finger gerade.</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>Let the right arm hang straight down, palm to the rear, fingers straight.</source>
+        <translation>Den rechten Arm gerade herabhängen lassen, Handfläche nach hinten, Finger gerade.</translation>
+    </message>
+    <message>
+        <source>Torso</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>aufrecht</translation>
+    </message>
+    <message>
+        <source>Stand upright and look ahead.</source>
+        <translation>Aufrecht stehen und geradeaus schauen.</translation>
+    </message>
+    <message>
+        <source>bowed</source>
+        <translation>gebeugt</translation>
+    </message>
+    <message>
+        <source>Bow forward from the hips until the back is level.</source>
+        <translation>Aus der Hüfte nach vorn beugen, bis der Rücken waagerecht ist.</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>Hals</translation>
     </message>
 </context>
 <context>
@@ -4535,6 +4832,10 @@
     <message>
         <source>Fast movement does that: try another smoothing, and check the mounting.</source>
         <translation>Das kommt von schneller Bewegung: Versuchen Sie eine andere Glättung und prüfen Sie die Befestigung.</translation>
+    </message>
+    <message>
+        <source>Good: all boards were heard, and agree.</source>
+        <translation>Gut: Alle Platinen waren zu hören und widersprechen sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -4864,6 +5165,10 @@
         <source>Gaps on the line: %1, with %2 samples; reconnections: %3. Every gap has its length in the take.</source>
         <translation>Lücken auf der Leitung: %1 mit %2 Abtastwerten; neu verbunden: %3. Jede Lücke steht mit ihrer Länge in der Aufnahme.</translation>
     </message>
+    <message>
+        <source>(samples were lost)</source>
+        <translation>(Abtastwerte gingen verloren)</translation>
+    </message>
 </context>
 <context>
     <name>TakeSegments</name>
@@ -5044,6 +5349,14 @@
         <source>About the vertical, which gravity cannot tell. It holds from now on, for the next take too.</source>
         <translation>Um die Senkrechte, was die Schwerkraft nicht verrät. Es gilt ab jetzt, auch für den nächsten Take.</translation>
     </message>
+    <message>
+        <source>Turns the bone about the vertical, beyond what its sensors say; what hangs on it without sensors follows. It holds from now on.</source>
+        <translation>Dreht den Knochen um die Senkrechte über das hinaus, was seine Sensoren sagen; was ohne Sensoren daran hängt, folgt. Es gilt von jetzt an.</translation>
+    </message>
+    <message>
+        <source>Turns the bone about the vertical, beyond what its sensors say; what hangs on it without sensors follows. Turning it sets a key at the playhead.</source>
+        <translation>Dreht den Knochen um die Senkrechte über das hinaus, was seine Sensoren sagen; was ohne Sensoren daran hängt, folgt. Drehen setzt einen Schlüssel an der Abspielmarke.</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::BoxPanel</name>
@@ -5134,6 +5447,46 @@
     <message>
         <source>Battery %1 V, %2 °C</source>
         <translation>Batterie %1 V, %2 °C</translation>
+    </message>
+    <message>
+        <source>Delays of the sources</source>
+        <translation>Verzögerungen der Quellen</translation>
+    </message>
+    <message>
+        <source>Nominal: every source fires when its slot begins. A take of this box in which they were measured tells by how much each is late, and its phase and level.</source>
+        <translation>Nominell: Jede Quelle feuert, wenn ihr Zeitschlitz beginnt. Ein Take dieser Box, in dem sie gemessen wurden, sagt, um wie viel jede zu spät ist, dazu ihre Phase und ihren Pegel.</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>What the words mean, and what to do</source>
+        <translation>Was die Wörter bedeuten und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Nominal delays</source>
+        <translation>Nominelle Verzögerungen</translation>
+    </message>
+    <message>
+        <source>As in “%1”</source>
+        <translation>Wie in „%1“</translation>
+    </message>
+    <message>
+        <source>As in a take…</source>
+        <translation>Wie in einem Take …</translation>
+    </message>
+    <message>
+        <source>A take of this box with measured sources</source>
+        <translation>Ein Take dieser Box mit gemessenen Quellen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>The sources stay as they are</source>
+        <translation>Die Quellen bleiben, wie sie sind</translation>
     </message>
 </context>
 <context>
@@ -5581,10 +5934,6 @@
         <translation>Wählen Sie ein Gerät</translation>
     </message>
     <message>
-        <source>Choose above the line input that the board is plugged into. Levels and signals show at once; nothing is recorded before you say so.</source>
-        <translation>Wählen Sie oben den Line-Eingang, in dem die Platine steckt. Pegel und Signale erscheinen sofort; aufgenommen wird erst, wenn Sie es sagen.</translation>
-    </message>
-    <message>
         <source>No sound card with a stereo input was found</source>
         <translation>Keine Soundkarte mit Stereoeingang gefunden</translation>
     </message>
@@ -5623,6 +5972,10 @@
     <message>
         <source>Learn how the board is connected</source>
         <translation>So wird die Platine angeschlossen</translation>
+    </message>
+    <message>
+        <source>Choose above the line input that the board is plugged into, or the driver box. Levels and signals show at once; nothing is recorded before you say so.</source>
+        <translation>Wählen Sie oben den Line-Eingang, in dem die Platine steckt, oder die Treiberbox. Pegel und Signale erscheinen sofort; aufgenommen wird erst, wenn Sie es sagen.</translation>
     </message>
 </context>
 <context>
@@ -7043,6 +7396,14 @@
         <source>What is being recorded</source>
         <translation>Was gerade aufgenommen wird</translation>
     </message>
+    <message>
+        <source>nothing was lost</source>
+        <translation>nichts ging verloren</translation>
+    </message>
+    <message>
+        <source> and more</source>
+        <translation> und mehr</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::OverviewView</name>
@@ -7115,6 +7476,10 @@
     <message>
         <source>%1 of take; decoded in %2 s, solved in %3 s</source>
         <translation>%1 Take; dekodiert in %2 s, berechnet in %3 s</translation>
+    </message>
+    <message>
+        <source>Joints ± %1° on average (1 σ, by the filter itself)</source>
+        <translation>Gelenke im Mittel ± %1° (1 σ, nach dem Filter selbst)</translation>
     </message>
 </context>
 <context>
@@ -7442,6 +7807,10 @@
         <source>Recording %1</source>
         <translation>Aufnahme: %1</translation>
     </message>
+    <message>
+        <source>Recording; samples were lost</source>
+        <translation>Nimmt auf; Abtastwerte gingen verloren</translation>
+    </message>
 </context>
 <context>
     <name>limbwave::ui::RecordPanel</name>
@@ -7575,6 +7944,10 @@
     <message>
         <source>A calibration is under way</source>
         <translation>Eine Kalibrierung läuft</translation>
+    </message>
+    <message>
+        <source>Recording; samples were lost</source>
+        <translation>Nimmt auf; Abtastwerte gingen verloren</translation>
     </message>
 </context>
 <context>
@@ -8881,6 +9254,18 @@
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>The box is away.</source>
+        <translation>Die Box ist fort.</translation>
+    </message>
+    <message>
+        <source>well, no source in sight</source>
+        <translation>in Ordnung, keine Quelle in Sicht</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>fort</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>BoxHistoryWords</name>
+    <message numerus="yes">
+        <source>%n word(s) lost</source>
+        <translation>
+            <numerusform>%n word lost</numerusform>
+            <numerusform>%n words lost</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StatusFacts</name>
     <message numerus="yes">
         <source>box: %n gap(s)</source>

@@ -7,8 +7,6 @@
 #include <thread>
 
 #include "acquire/box_ports.h"
-#include "acquire/driver_box.h"
-#include "acquire/driver_box_card.h"
 #include "acquire/sound_card.h"
 #include "commands.h"
 #include "simulate/simulate.h"
@@ -16,6 +14,7 @@
 #include "solve/live_session.h"
 #include "solve/take_calibration.h"
 #include "take/board_book.h"
+#include "take/box_opening.h"
 #include "take/driver_box_recording.h"
 
 namespace limbwave::cli {
@@ -24,8 +23,6 @@ namespace {
 constexpr std::string_view kSimulator = "simulator:";
 constexpr const char* kLineInRig = "line-in-arm";
 constexpr const char* kBoxRig = "driver-box-body";
-constexpr const char* kClient = "limbwave";  // among JACK's
-constexpr double kCardRate = 192000.0;
 
 struct Options {
   std::string take, device = "default", driver_box, rig, subject, type = "int16", errors = "paper";
@@ -124,27 +121,6 @@ void record(const Options& options, bool as_json, Console& console) {
   }
 }
 
-// A serial port, or a sound card that plays the box.
-std::unique_ptr<acquire::BoxSource> open_box(const Options& options, bool rate_given, body::Rig& rig,
-                                             Console& console) {
-  if (!acquire::is_card_port(options.driver_box)) {
-    return console.check(acquire::DriverBox::open(options.driver_box));
-  }
-  rig = take::rig_at_rate(std::move(rig), rate_given ? options.rate : kCardRate);
-  if (!rig.driver_box) {
-    console.fail({"has no driver box", "rig \"" + rig.name + "\"", "use driver-box-body or another with a driver box"});
-  }
-  acquire::CardBoxSettings settings;
-  settings.rate_hz = rig.driver_box->rate_hz;
-  settings.wires = static_cast<int>(rig.microphones.size());
-  settings.sources = static_cast<int>(rig.sources.size());
-  settings.slot_samples = rig.driver_box->slot_samples;
-  settings.pulse_hz = rig.driver_box->pulse_hz;
-  settings.pulse_cycles = rig.driver_box->pulse_cycles;
-  settings.client = kClient;
-  return console.check(acquire::open_card_box(options.driver_box, settings));
-}
-
 // What the live filter has to say at the end.
 nlohmann::json live_json(const solve::LiveBodySnapshot& live, double solved_s) {
   const solve::LatencyFigures& latency = live.latency.of(solve::LatencyStage::kTotal);
@@ -232,7 +208,12 @@ BoxOutcome record_raw(const Options& options, acquire::BoxSource& box, const sol
   return outcome;
 }
 
-void record_box(const Options& options, bool rate_given, bool as_json, Console& console) {
+// What was said on the command line, not left to us.
+struct Given {
+  bool rate = false, air = false;
+};
+
+void record_box(const Options& options, Given given, bool as_json, Console& console) {
   solve::LiveBodySettings settings;
   settings.rig = console.check(body::load_rig(options.rig.empty() ? kBoxRig : options.rig));
   settings.skeleton = console.check(body::load_skeleton(settings.rig.skeleton));
@@ -246,13 +227,13 @@ void record_box(const Options& options, bool rate_given, bool as_json, Console& 
   settings.ranging.method = "nominal";
   settings.ranging.speed_of_sound = calibrate::speed_of_sound(options.temperature, options.humidity / 100.0);
   if (!options.ranging.empty()) {
-    const take::Take from = console.check(take::open_take(options.ranging));
-    if (!from.info.ranging) {
-      console.fail({"has no calibration of sources", options.ranging, "name a take of this driver box"});
+    const double speed_of_sound = settings.ranging.speed_of_sound;
+    settings.ranging = console.check(take::ranging_of(options.ranging, settings.rig));
+    if (given.air) {
+      settings.ranging.speed_of_sound = speed_of_sound;  // Delays belong to the sources, this to the day.
     }
-    settings.ranging = *from.info.ranging;
   }
-  auto box = open_box(options, rate_given, settings.rig, console);
+  auto box = console.check(take::open_box(options.driver_box, given.rate ? options.rate : 0.0, settings.rig));
   const BoxOutcome outcome = options.live ? record_live(options, std::move(box), settings, console)
                                           : record_raw(options, *box, settings, console);
   const acquire::BoxCounters& counters = outcome.counters;
@@ -337,8 +318,10 @@ void add_record(CLI::App& app, Console& console) {
   command->add_option("--pose-rate", options->pose_rate, "Poses a second of the live filter at most")
       ->check(within(1.0, 140.0))
       ->capture_default_str();
-  command->add_option("--ranging", options->ranging,
-                      "A take of the same driver box whose calibration of sources and speed of sound is taken over");
+  command->add_option(
+      "--ranging", options->ranging,
+      "A take of the same driver box whose calibration of sources is taken over, with its speed of sound "
+      "unless --temperature or --humidity say another");
   command->add_option("--type", options->type, "Sample type")
       ->check(CLI::IsMember({"int16", "int24", "int32", "float32"}))
       ->capture_default_str();
@@ -357,8 +340,11 @@ void add_record(CLI::App& app, Console& console) {
     if (options->driver_box.empty() && (options->live || !options->ranging.empty())) {
       console.fail({"is for driver boxes", options->live ? "--live" : "--ranging", "give --driver-box PORT"});
     }
-    options->driver_box.empty() ? record(*options, as_json, console)
-                                : record_box(*options, command->count("--rate") > 0, as_json, console);
+    options->driver_box.empty()
+        ? record(*options, as_json, console)
+        : record_box(*options,
+                     {command->count("--rate") > 0, command->count("--temperature") + command->count("--humidity") > 0},
+                     as_json, console);
   });
 }
 

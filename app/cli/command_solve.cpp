@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "solve/body_solve.h"
+#include "solve/compose.h"
 #include "solve/report_text.h"
 #include "solve/solve.h"
 #include "take/take.h"
@@ -125,7 +126,12 @@ void add_solve(CLI::App& app, Console& console) {
                                                 : estimate::StartMode::kAny;
       body.save_state = options->save_state;
       body.resume = options->resume;
-      return solve::solve_sensors(take, body, console.progress());
+      Result<solve::Solve> by_filter = solve::solve_sensors(take, body, console.progress());
+      if (by_filter) {
+        solve::apply_headings(*by_filter, solve::sensor_segments(take.info.rig, by_filter->clip.skeleton),
+                              solve::known_headings(take, settings.name));
+      }
+      return by_filter;
     };
     const solve::Solve solve = console.check(solved());
     console.check(solve::save_solve(take, solve));

@@ -9,6 +9,8 @@
 #include <cassert>
 #include <chrono>
 #include <mutex>
+#include <thread>
+#include <utility>
 
 #include "acquire/alsa_probe.h"
 #include "acquire/portaudio_session.h"
@@ -119,84 +121,94 @@ std::optional<Error> check_format(const DeviceInfo& device, const StreamFormat& 
   return std::nullopt;
 }
 
-class SoundCard : public LiveSource {
- public:
-  SoundCard(std::unique_ptr<PortAudioSession> portaudio, DeviceInfo device, StreamFormat format)
-      : portaudio_(std::move(portaudio)),
-        device_(std::move(device)),
-        format_(format),
-        ring_(static_cast<std::size_t>(kRingSeconds * format.rate.hz) * format.bytes_per_frame()) {}
-  ~SoundCard() override {
-    stop();
+// The stream and everything that its callback touches.
+struct CardStream {
+  CardStream(std::unique_ptr<PortAudioSession> session, DeviceInfo info, StreamFormat stream_format)
+      : portaudio(std::move(session)),
+        device(std::move(info)),
+        format(stream_format),
+        ring(static_cast<std::size_t>(kRingSeconds * format.rate.hz) * format.bytes_per_frame()) {}
+  ~CardStream() {
     const std::lock_guard guard(portaudio_lock());
-    if (stream_ != nullptr) {
-      Pa_CloseStream(stream_);
+    if (stream != nullptr) {
+      Pa_CloseStream(stream);
     }
   }
-  SoundCard(const SoundCard&) = delete;
-  SoundCard& operator=(const SoundCard&) = delete;
+  CardStream(const CardStream&) = delete;
+  CardStream& operator=(const CardStream&) = delete;
 
   Status open(PaDeviceIndex index);
-  Status start() override;
-  void stop() override;
-
-  [[nodiscard]] StreamFormat format() const override { return format_; }
-  [[nodiscard]] std::string title() const override { return device_.title; }
-  std::size_t pull(std::span<std::byte> out) override {
-    const std::size_t frame = format_.bytes_per_frame();
-    return ring_.read(out.first(out.size() / frame * frame));
+  [[nodiscard]] bool alive() const {
+    return !finished.load(std::memory_order_acquire) &&
+           now_s() - newest_s.load(std::memory_order_relaxed) < kSilenceSeconds;
   }
-  void wait(double timeout_s) override { (void)arrived_.wait_for(std::chrono::duration<double>(timeout_s)); }
-  [[nodiscard]] SourceCounters counters() const override {
-    // The place last: it is never before the losses that are counted here.
-    SourceCounters counters;
-    counters.overflows = overflows_.load(std::memory_order_acquire);
-    counters.dropped_frames = dropped_frames_.load(std::memory_order_acquire);
-    counters.lost_at = lost_at_.load(std::memory_order_relaxed);
-    return counters;
-  }
-  [[nodiscard]] bool alive() const override {
-    return !running_ || (!finished_.load(std::memory_order_acquire) &&
-                         now_s() - newest_s_.load(std::memory_order_relaxed) < kSilenceSeconds);
-  }
-  [[nodiscard]] double device_latency_s() const override { return latency_s_.load(std::memory_order_relaxed); }
-  [[nodiscard]] double newest_frame_time_s() const override {
-    return has_frames_.load(std::memory_order_acquire) ? newest_s_.load(std::memory_order_relaxed) : 0.0;
-  }
-
- private:
   static int callback(const void* input, void* output, unsigned long frames, const PaStreamCallbackTimeInfo* time,
                       PaStreamCallbackFlags flags, void* self);
   // Samples are missing behind what has been written; `frames` is 0 where the device does not say how many.
   void lost(std::uint64_t frames) {
-    lost_at_.store(written_, std::memory_order_relaxed);
-    dropped_frames_.fetch_add(frames, std::memory_order_release);
-    overflows_.fetch_add(1, std::memory_order_release);
+    lost_at.store(written, std::memory_order_relaxed);
+    dropped_frames.fetch_add(frames, std::memory_order_release);
+    overflows.fetch_add(1, std::memory_order_release);
   }
-  static void finished(void* self) { static_cast<SoundCard*>(self)->finished_.store(true, std::memory_order_release); }
 
-  std::unique_ptr<PortAudioSession> portaudio_;
-  DeviceInfo device_;
-  StreamFormat format_;
-  PaStream* stream_ = nullptr;
-  std::atomic<bool> running_{false};
-  SpscRing<std::byte> ring_;
+  std::unique_ptr<PortAudioSession> portaudio;
+  DeviceInfo device;
+  StreamFormat format;
+  PaStream* stream = nullptr;
+  SpscRing<std::byte> ring;
   // Written by the callback alone.
-  std::atomic<std::uint64_t> overflows_{0};
-  std::atomic<std::uint64_t> dropped_frames_{0};
-  std::atomic<std::int64_t> lost_at_{0};
-  std::int64_t written_ = 0;  // frames in the ring so far
-  std::atomic<double> newest_s_{0.0};
-  std::atomic<double> latency_s_{0.0};
-  std::atomic<bool> has_frames_{false};
-  std::atomic<bool> finished_{false};
-  WakeSignal arrived_;
+  std::atomic<std::uint64_t> overflows{0};
+  std::atomic<std::uint64_t> dropped_frames{0};
+  std::atomic<std::int64_t> lost_at{0};
+  std::int64_t written = 0;  // frames in the ring so far
+  std::atomic<double> newest_s{0.0};
+  std::atomic<double> latency_s{0.0};
+  std::atomic<bool> has_frames{false};
+  std::atomic<bool> finished{false};
+  WakeSignal arrived;
+};
+
+class SoundCard : public LiveSource {
+ public:
+  explicit SoundCard(std::shared_ptr<CardStream> stream) : card_(std::move(stream)) {}
+  ~SoundCard() override { stop(); }
+  SoundCard(const SoundCard&) = delete;
+  SoundCard& operator=(const SoundCard&) = delete;
+
+  Status start() override;
+  void stop() override;
+
+  [[nodiscard]] StreamFormat format() const override { return card_->format; }
+  [[nodiscard]] std::string title() const override { return card_->device.title; }
+  std::size_t pull(std::span<std::byte> out) override {
+    const std::size_t frame = card_->format.bytes_per_frame();
+    return card_->ring.read(out.first(out.size() / frame * frame));
+  }
+  void wait(double timeout_s) override { (void)card_->arrived.wait_for(std::chrono::duration<double>(timeout_s)); }
+  [[nodiscard]] SourceCounters counters() const override {
+    // The place last: it is never before the losses that are counted here.
+    SourceCounters counters;
+    counters.overflows = card_->overflows.load(std::memory_order_acquire);
+    counters.dropped_frames = card_->dropped_frames.load(std::memory_order_acquire);
+    counters.lost_at = card_->lost_at.load(std::memory_order_relaxed);
+    return counters;
+  }
+  [[nodiscard]] bool alive() const override { return !running_ || card_->alive(); }
+  [[nodiscard]] double device_latency_s() const override { return card_->latency_s.load(std::memory_order_relaxed); }
+  [[nodiscard]] double newest_frame_time_s() const override {
+    return card_->has_frames.load(std::memory_order_acquire) ? card_->newest_s.load(std::memory_order_relaxed) : 0.0;
+  }
+
+ private:
+  std::shared_ptr<CardStream> card_;
+  std::atomic<bool> running_{false};
+  std::atomic<bool> gone_{false};
 };
 
 // On the device's own thread: copies, counts and rings the bell, nothing else.
-int SoundCard::callback(const void* input, void* /*output*/, unsigned long frames, const PaStreamCallbackTimeInfo* time,
-                        PaStreamCallbackFlags flags, void* self_pointer) {
-  auto& self = *static_cast<SoundCard*>(self_pointer);
+int CardStream::callback(const void* input, void* /*output*/, unsigned long frames,
+                         const PaStreamCallbackTimeInfo* time, PaStreamCallbackFlags flags, void* self_pointer) {
+  auto& self = *static_cast<CardStream*>(self_pointer);
   if ((flags & paInputOverflow) != 0) {
     self.lost(0);
   }
@@ -204,45 +216,46 @@ int SoundCard::callback(const void* input, void* /*output*/, unsigned long frame
     return paContinue;
   }
   // Before the frames are there for the other side: what it has pulled is then never newer than this.
-  self.newest_s_.store(now_s(), std::memory_order_relaxed);
-  const std::span bytes(static_cast<const std::byte*>(input), frames * self.format_.bytes_per_frame());
-  if (self.ring_.write(bytes)) {
-    self.written_ += static_cast<std::int64_t>(frames);
+  self.newest_s.store(now_s(), std::memory_order_relaxed);
+  const std::span bytes(static_cast<const std::byte*>(input), frames * self.format.bytes_per_frame());
+  if (self.ring.write(bytes)) {
+    self.written += static_cast<std::int64_t>(frames);
   } else {
     self.lost(frames);
   }
   const double delay = time->currentTime - time->inputBufferAdcTime;
   if (delay > 0.0 && delay < 10.0) {
-    const double before = self.latency_s_.load(std::memory_order_relaxed);
-    self.latency_s_.store(before == 0.0 ? delay : before + 0.05 * (delay - before), std::memory_order_relaxed);
+    const double before = self.latency_s.load(std::memory_order_relaxed);
+    self.latency_s.store(before == 0.0 ? delay : before + 0.05 * (delay - before), std::memory_order_relaxed);
   }
-  self.has_frames_.store(true, std::memory_order_release);
-  self.arrived_.notify();
+  self.has_frames.store(true, std::memory_order_release);
+  self.arrived.notify();
   return paContinue;
 }
 
-Status SoundCard::open(PaDeviceIndex index) {
-  const PaStreamParameters parameters = parameters_for(index, format_.channels, format_.type);
+Status CardStream::open(PaDeviceIndex index) {
+  const PaStreamParameters parameters = parameters_for(index, format.channels, format.type);
   PaAlsa_SetNumPeriods(kPeriods);
   // Without dithering and clipping the samples arrive as they are.
-  const PaError error = Pa_OpenStream(&stream_, &parameters, nullptr, format_.rate.hz, paFramesPerBufferUnspecified,
-                                      paClipOff | paDitherOff, &SoundCard::callback, this);
+  const PaError error = Pa_OpenStream(&stream, &parameters, nullptr, format.rate.hz, paFramesPerBufferUnspecified,
+                                      paClipOff | paDitherOff, &CardStream::callback, this);
   if (error == paInvalidSampleRate) {
     std::string offered;
-    for (const double rate : device_.rates_hz) {
+    for (const double rate : device.rates_hz) {
       offered += fmt::format("{}{:.0f}", offered.empty() ? "" : ", ", rate);
     }
-    return Error{fmt::format("does not run at {:.0f} Hz", format_.rate.hz), device_.id,
+    return Error{fmt::format("does not run at {:.0f} Hz", format.rate.hz), device.id,
                  "it offers " + (offered.empty() ? "nothing just now" : offered)};
   }
   if (error != paNoError) {
-    return Error{fmt::format("cannot be opened ({})", Pa_GetErrorText(error)), device_.id,
+    return Error{fmt::format("cannot be opened ({})", Pa_GetErrorText(error)), device.id,
                  "check that no other program uses it"};
   }
   if (Pa_GetHostApiInfo(Pa_GetDeviceInfo(index)->hostApi)->type == paALSA) {
-    PaAlsa_EnableRealtimeScheduling(stream_, 1);  // where the system allows it
+    PaAlsa_EnableRealtimeScheduling(stream, 1);  // where the system allows it
   }
-  Pa_SetStreamFinishedCallback(stream_, &SoundCard::finished);
+  Pa_SetStreamFinishedCallback(
+      stream, [](void* self) { static_cast<CardStream*>(self)->finished.store(true, std::memory_order_release); });
   return {};
 }
 
@@ -251,23 +264,33 @@ Status SoundCard::start() {
   if (running_) {
     return {};
   }
-  finished_.store(false, std::memory_order_release);
-  newest_s_.store(now_s(), std::memory_order_relaxed);  // silence is counted from here
-  const PaError error = Pa_StartStream(stream_);
+  if (gone_) {
+    return Error{"is gone", card_->device.id, "check that it is still connected, and open it again"};
+  }
+  card_->finished.store(false, std::memory_order_release);
+  card_->newest_s.store(now_s(), std::memory_order_relaxed);  // silence is counted from here
+  const PaError error = Pa_StartStream(card_->stream);
   if (error != paNoError) {
-    return Error{fmt::format("does not start ({})", Pa_GetErrorText(error)), device_.id,
+    return Error{fmt::format("does not start ({})", Pa_GetErrorText(error)), card_->device.id,
                  "check that it is still connected and that no other program uses it"};
   }
   running_ = true;
   return {};
 }
 
+// A stream whose device is gone is ended beside everything else, on a thread of its own and without the lock, which
+// others need meanwhile: JACK lets whoever stops a stream of a server that is gone wait for ten minutes.
 void SoundCard::stop() {
-  const std::lock_guard guard(portaudio_lock());
-  if (running_) {
-    Pa_AbortStream(stream_);
-    running_ = false;
+  if (!running_.exchange(false)) {
+    return;
   }
+  if (card_->alive()) {
+    const std::lock_guard guard(portaudio_lock());
+    Pa_AbortStream(card_->stream);
+    return;
+  }
+  gone_ = true;
+  std::thread([gone = card_] { Pa_AbortStream(gone->stream); }).detach();
 }
 
 }  // namespace
@@ -316,11 +339,11 @@ Result<std::unique_ptr<LiveSource>> open_sound_card(const std::string& id, const
   if (std::optional<Error> error = check_format(device, wanted)) {
     return *std::move(error);
   }
-  auto card = std::make_unique<SoundCard>(*std::move(portaudio), std::move(device), wanted);
-  if (Status status = card->open(*index); !status) {
+  auto stream = std::make_shared<CardStream>(*std::move(portaudio), std::move(device), wanted);
+  if (Status status = stream->open(*index); !status) {
     return status.error();
   }
-  return std::unique_ptr<LiveSource>(std::move(card));
+  return std::unique_ptr<LiveSource>(std::make_unique<SoundCard>(std::move(stream)));
 }
 
 }  // namespace limbwave::acquire

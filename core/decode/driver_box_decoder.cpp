@@ -11,7 +11,7 @@ namespace limbwave::decode {
 
 namespace {
 
-constexpr double kWordsLate_s = 0.031;  // a word joined to the one before is there by then
+constexpr double kWordsLate_s = 0.001;  // beyond that a word joined to the one before is there
 constexpr std::size_t kStretch = 4096;  // samples at a time
 constexpr double kKept_s = 0.1;         // of words
 
@@ -53,7 +53,7 @@ struct DriverBoxDecoder::Impl {
     const RangingFormat& common = format.wires.front();
     for (std::int64_t slot = frames.front().end(); slot < heard; ++slot) {
       const double time_s = pulse_middle_s(common, format.rate, *ranging.front().shape(), slot);
-      if (time_s + kWordsLate_s > passed) {
+      if (time_s + parameters.words_joined_s + kWordsLate_s > passed) {
         break;
       }
       for (SourceMotion& frame : frames) {
@@ -102,7 +102,7 @@ DriverBoxDecoder::DriverBoxDecoder(const DriverBoxFormat& format, const DriverBo
   Impl& d = *impl_;
   d.parameters = parameters;
   d.waiting.resize(format.wires.size());
-  d.traces.resize(format.wires.size());
+  d.traces.assign(format.wires.size(), InertialTrace(parameters.words_joined_s));
   const BoxGeometry geometry = parameters.inertial ? format.geometry : BoxGeometry{};
   if (!format.wires.empty()) {
     d.frames.emplace_back(format.wires.front(), geometry);

@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace limbwave::decode {
-namespace {
-
-constexpr double kLongest = 0.030;  // seconds between readings that are joined
-
-}  // namespace
 
 void InertialTrace::add(const InertialReading& reading) {
   if (reading.valid && (samples_.empty() || reading.time.value > samples_.back().time_s)) {
@@ -24,7 +19,7 @@ FeltMotion InertialTrace::at(double time_s) const {
   }
   const Sample& b = *after;
   const Sample& a = *(after - 1);
-  if (b.time_s - a.time_s > kLongest) {
+  if (b.time_s - a.time_s > longest_s_) {
     return felt;
   }
   const double u = (time_s - a.time_s) / (b.time_s - a.time_s);

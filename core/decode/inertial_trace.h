@@ -18,6 +18,8 @@ struct FeltMotion {
 
 class InertialTrace {
  public:
+  /// Readings at most `longest_s` apart are joined; between others nothing is known.
+  explicit InertialTrace(double longest_s = 0.030) : longest_s_(longest_s) {}
   /// Readings in order of time; those that are not valid are left out.
   void add(const InertialReading& reading);
   /// Mean over a stretch, by Simpson's rule between readings joined by straight lines.
@@ -32,6 +34,7 @@ class InertialTrace {
     bool saturated;
   };
   [[nodiscard]] FeltMotion at(double time_s) const;
+  double longest_s_;
   std::deque<Sample> samples_;
 };
 

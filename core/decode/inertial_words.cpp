@@ -389,7 +389,8 @@ std::vector<InertialReading> InertialWordDecoder::take_readings() {
 
 double InertialWordDecoder::passed_s() const {
   const Impl& d = *impl_;
-  return d.seconds_of((d.bit_middles.empty() ? d.next_bit : d.bit_middles.front()) - d.period);
+  // Bits from before the clock was lost are never read.
+  return d.seconds_of((!d.timed || d.bit_middles.empty() ? d.next_bit : d.bit_middles.front()) - d.period);
 }
 
 const WordStatus& InertialWordDecoder::status() const {

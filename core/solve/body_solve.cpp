@@ -340,6 +340,9 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
 Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const estimate::BodyModel& model,
                                                    const Progress& progress, bool by_past, bool align) {
   const body::Rig& rig = take.info.rig;
+  if (!rig.driver_box) {
+    return Error{"has no driver box in its rig", take.folder.string(), "give it the rig it was recorded with"};
+  }
   std::vector<int> board_of_chip;
   for (const body::Gyroscope& gyroscope : rig.gyroscopes) {
     board_of_chip.push_back(model.find_board(gyroscope.name));
@@ -374,10 +377,7 @@ Result<estimate::BodyReadings> driver_box_readings(const take::Take& take, const
     readings.inertial.insert(readings.inertial.end(), words.begin(), words.end());
     return {};
   };
-  decode::DriverBoxParameters parameters;
-  if (by_past) {
-    parameters.ranging.look_ahead_s = 0.0;
-  }
+  const decode::DriverBoxParameters parameters = by_past ? live_decoding() : decode::DriverBoxParameters();
   const Result<DriverBoxReport> decoded = decode_driver_box(take, parameters, keep, progress);
   if (!decoded) {
     return decoded.error();

@@ -137,6 +137,20 @@ std::vector<std::vector<Quaterniond>> world_orientations(const motion::Clip& cli
   return R_WL;
 }
 
+void turn_segments(const body::Skeleton& skeleton, const std::vector<bool>& sensed, std::span<const double> turns,
+                   std::vector<Quaterniond>& R_WL) {
+  const std::vector<Quaterniond> before = R_WL;
+  for (std::size_t s = 0; s < R_WL.size(); ++s) {
+    const int parent = skeleton.segments[s].parent;
+    if (sensed[s]) {
+      R_WL[s] = about_vertical(turns[s]) * before[s];
+    } else if (parent >= 0) {
+      const auto p = static_cast<std::size_t>(parent);
+      R_WL[s] = (R_WL[p] * before[p].conjugate() * before[s]).normalized();
+    }
+  }
+}
+
 void apply_headings(Solve& solve, const std::vector<int>& sensor_segments,
                     const std::vector<std::vector<HeadingKey>>& headings) {
   motion::Clip& clip = solve.clip;
@@ -156,17 +170,12 @@ void apply_headings(Solve& solve, const std::vector<int>& sensor_segments,
       sensed[static_cast<std::size_t>(segment)] = true;
     }
   }
+  std::vector<double> turns(clip.joints.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (std::size_t s = 0; s < clip.joints.size(); ++s) {
-      const body::Segment& segment = clip.skeleton.segments[s];
-      if (sensed[s]) {
-        const double turn =
-            heading_at(keys(headings, s), times[i]) - heading_at(keys(solve.settings.headings, s), times[i]);
-        R_WL[i][s] = about_vertical(turn) * R_WL[i][s];
-      } else if (segment.parent >= 0) {
-        R_WL[i][s] = R_WL[i][static_cast<std::size_t>(segment.parent)] * segment.R_PL_rest;
-      }
+      turns[s] = heading_at(keys(headings, s), times[i]) - heading_at(keys(solve.settings.headings, s), times[i]);
     }
+    turn_segments(clip.skeleton, sensed, turns, R_WL[i]);
   }
   set_tracks(clip, times, R_WL);
   solve.settings.headings = headings;

@@ -35,6 +35,11 @@ Result<std::vector<Eigen::Quaterniond>> limb_orientations(std::span<const estima
 /// Which segment each accelerometer of the rig is worn on: index into the skeleton.
 std::vector<int> sensor_segments(const body::Rig& rig, const body::Skeleton& skeleton);
 
+/// Turns segments about the vertical by `turns` (radians, by segment), in place: those that carry a sensor (`sensed`)
+/// each by its own; others stay as they are to their parent.
+void turn_segments(const body::Skeleton& skeleton, const std::vector<bool>& sensed, std::span<const double> turns,
+                   std::vector<Eigen::Quaterniond>& R_WL);
+
 /// Changes the headings of a solve in place, without solving again: every world orientation turns by the difference.
 void apply_headings(Solve& solve, const std::vector<int>& sensor_segments,
                     const std::vector<std::vector<HeadingKey>>& headings);

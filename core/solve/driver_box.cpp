@@ -21,6 +21,8 @@ constexpr double kReachMargin = 1.05;   // bones longer than the rig's, placemen
 constexpr double kWander = 3e-3;        // metres per radian, of a source on a segment whose every joint is followed
 constexpr double kLooseWander = 12e-3;  // of others
 constexpr std::size_t kBlockFrames = 28000;
+constexpr double kLiveJoined = 0.0145;  // s: two words of 140 a second, whose clock may be off by 200 ppm
+constexpr double kFilters = 0.003;      // s: low pass and clock of the words, the middle of a pulse, guards between
 
 // The longest way along bones between points on two segments.
 double longest_way(const body::Skeleton& skeleton, int a, const Vector3d& p_a, int b, const Vector3d& p_b) {
@@ -169,6 +171,17 @@ decode::DriverBoxFormat::Frame frame_of(const body::Rig& rig, const body::Skelet
 }
 
 }  // namespace
+
+decode::DriverBoxParameters live_decoding() {
+  decode::DriverBoxParameters parameters;
+  parameters.ranging.look_ahead_s = 0.0;
+  parameters.words_joined_s = kLiveJoined;
+  return parameters;
+}
+
+double live_settled_s(const decode::DriverBoxParameters& parameters, double word_rate_hz, double alignment_s) {
+  return std::max(parameters.words_joined_s, alignment_s) + 2.0 / word_rate_hz + kFilters;
+}
 
 calibrate::RangingCalibration ranging_calibration(const take::TakeInfo& info) {
   if (info.ranging) {

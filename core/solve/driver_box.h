@@ -20,6 +20,16 @@ decode::DriverBoxFormat driver_box_format(const body::Rig& rig, const body::Skel
 /// The calibration of a take, or the nominal one at 22 °C.
 calibrate::RangingCalibration ranging_calibration(const take::TakeInfo& info);
 
+/// Decoding that a live picture can wait for: ranges are judged by the past alone, and words are joined across one that
+/// was lost, not three. With `by_past` a take is solved from the same readings.
+decode::DriverBoxParameters live_decoding();
+
+/// Behind the newest sample that was decoded by `live_decoding` no reading of before this comes any more, seconds.
+/// A pulse waits for the words around it (words_joined_s), these for the end of their frame, or for two frames while a
+/// board's lock is being found; a word waits for the same and for the next one of its board, with which it is aligned
+/// (`alignment_s`). Beyond that the filters' own delays.
+double live_settled_s(const decode::DriverBoxParameters& parameters, double word_rate_hz, double alignment_s);
+
 /// What is decoded of a stretch of a take.
 using DriverBoxSink = std::function<Status(std::span<const decode::RangeReading> ranges,
                                            std::span<const decode::InertialReading> inertial)>;

@@ -12,7 +12,6 @@
 namespace limbwave::solve {
 namespace {
 
-constexpr double kDecoded = 0.06;  // s behind the newest sample every reading has come out of the decoder
 constexpr double kWait = 0.05;
 constexpr double kPortion = 0.1;    // s of samples that are decoded before the filter has its turn
 constexpr double kCaughtUp = 0.15;  // s that may wait after something was left out
@@ -55,15 +54,13 @@ Status LiveBodyWorker::prepare() {
   tracker_ = std::make_unique<estimate::BodyTracker>(model_, body_parameters(model_, settings.solve),
                                                      watch_parameters(model_, settings.solve),
                                                      estimate::TrackerSettings{settings.solve.rate_hz, settings.lag_s});
-  settled_s_ = kDecoded;
   if (settings.solve.align_words) {
     aligner_ = std::make_unique<WordAligner>(model_, settings.rig.driver_box->word_rate_hz);
-    settled_s_ += aligner_->delay_s();
   }
   decode::DriverBoxFormat decoded = driver_box_format(settings.rig, settings.skeleton, settings.ranging);
   decoded.rate = format.rate;
-  decode::DriverBoxParameters parameters;
-  parameters.ranging.look_ahead_s = 0.0;  // A picture cannot wait for what comes later.
+  const decode::DriverBoxParameters parameters = live_decoding();
+  settled_s_ = live_settled_s(parameters, settings.rig.driver_box->word_rate_hz, aligner_ ? aligner_->delay_s() : 0.0);
   decoder_ = std::make_unique<decode::DriverBoxDecoder>(decoded, parameters);
   return {};
 }

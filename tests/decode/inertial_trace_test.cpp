@@ -40,6 +40,15 @@ TEST(InertialTrace, NothingIsKnownBeyondReadingsAndAcrossGaps) {
   EXPECT_FALSE(trace.over(0.07, 0.09).known);
 }
 
+TEST(InertialTrace, HowFarReadingsAreJoinedIsTheCallers) {
+  InertialTrace trace(0.0145);
+  for (const double t : {0.0, 0.0143, 0.0290}) {
+    trace.add(reading(t, Vector3d::Zero(), Vector3d::Zero()));
+  }
+  EXPECT_TRUE(trace.over(0.002, 0.012).known);
+  EXPECT_FALSE(trace.over(0.016, 0.027).known);
+}
+
 TEST(InertialTrace, ReadingsThatAreNotValidAreLeftOut) {
   InertialTrace trace;
   trace.add(reading(0.0, Vector3d::Zero(), Vector3d::UnitX()));

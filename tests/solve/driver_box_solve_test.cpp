@@ -54,6 +54,14 @@ TEST_F(DriverBoxSolve, ReadingsAreThoseOfTheWiresInOrderOfTime) {
   EXPECT_TRUE(std::ranges::is_sorted(readings.ranges, {}, &estimate::RangeReading::time_s));
 }
 
+TEST_F(DriverBoxSolve, ATakeWithoutADriverBoxInItsRigIsRefused) {
+  take::Take take = require(take::open_take(folder_->path() / "walk.take"));
+  take.info.rig.driver_box.reset();
+  const auto solved = solve::solve_sensors(take, {}, {});
+  ASSERT_FALSE(solved.ok());
+  EXPECT_NE(solved.error().text().find("no driver box"), std::string::npos);
+}
+
 TEST_F(DriverBoxSolve, AWalkComesOutOfTheWires) {
   const take::Take take = require(take::open_take(folder_->path() / "walk.take"));
   const solve::BodySolveSettings settings{"wires", "AGD", false, "truth"};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "calibration/wizard_frame.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 
@@ -56,7 +57,7 @@ void LimbHoldPage::restart() {
     sensors.push_back(holder.sensor);
   }
   picture_->set_pose(model_.rig(), model_.skeleton(), model_.group(), model_.pose(), sensors);
-  const QString name = QString::fromStdString(model_.pose_text(model_.pose()).name);
+  const QString name = shown_name(model_.pose_text(model_.pose()).name);
   which_->setText(model_.checking() ? tr("Check: %1").arg(name)
                                     : tr("Pose %1 of 2: %2").arg(model_.pose() + 1).arg(name));
   refresh();
@@ -66,7 +67,7 @@ QString LimbHoldPage::names(bool (*wanted)(const HolderState&)) const {
   QStringList list;
   for (const HolderState& holder : model_.holders()) {
     if (wanted(holder)) {
-      list << QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name);
+      list << shown_name(model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name);
     }
   }
   return list.join(tr(", "));
@@ -79,9 +80,8 @@ void LimbHoldPage::refresh() {
   std::vector<MovementBars::Row> rows;
   lost_ = -1;
   for (const HolderState& holder : model_.holders()) {
-    rows.push_back(
-        {QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name),
-         holder.movement.movement_g, holder.movement.has_signal, holder.movement.heard});
+    rows.push_back({shown_name(model_.rig().accelerometers.at(static_cast<std::size_t>(holder.sensor)).name),
+                    holder.movement.movement_g, holder.movement.has_signal, holder.movement.heard});
     if (holder.movement.heard && !holder.movement.has_signal && lost_ < 0) {
       lost_ = holder.sensor;
     }
@@ -100,7 +100,7 @@ void LimbHoldPage::show_countdown() {
   stillest_->hide();
   leave_out_->hide();
   big_->setText(tr("Take this pose"));
-  sentence_->setText(QString::fromStdString(model_.pose_text(model_.pose()).instruction));
+  sentence_->setText(shown_name(model_.pose_text(model_.pose()).instruction));
   dial_->set_state(QString::number(std::max(1, static_cast<int>(std::ceil(model_.countdown_left_s())))),
                    model_.countdown_left_s() / model_.countdown_s(), Tone::kUnknown);
 }
@@ -125,8 +125,7 @@ void LimbHoldPage::show_hold() {
   leave_out_->setVisible(!early && lost_ >= 0 && model_.can_leave_out(lost_));
   if (leave_out_->isVisibleTo(this)) {
     leave_out_->setText(
-        tr("Go on without %1")
-            .arg(QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(lost_)).name)));
+        tr("Go on without %1").arg(shown_name(model_.rig().accelerometers.at(static_cast<std::size_t>(lost_)).name)));
   }
   if (model_.can_take_stillest()) {
     stillest_->setText(tr("Take the stillest second (%1)").arg(format_mg(model_.progress().best_movement_g)));

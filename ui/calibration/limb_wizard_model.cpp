@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "calibration/calibration_words.h"
+#include "common/shown_names.h"
 #include "solve/take_calibration.h"
 
 namespace limbwave::ui {
@@ -113,7 +114,7 @@ QStringList LimbWizardModel::without_range() const {
   for (const int sensor : sensors_) {
     const auto s = static_cast<std::size_t>(sensor);
     if (is_nominal(desk_.calibration_of(target_).sensors.at(s).method)) {
-      names << QString::fromStdString(target_.rig.accelerometers.at(s).name);
+      names << shown_name(target_.rig.accelerometers.at(s).name);
     }
   }
   return names;

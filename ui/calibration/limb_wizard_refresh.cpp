@@ -7,13 +7,14 @@
 
 #include "calibration/limb_wizard.h"
 #include "common/core_text.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
 namespace {
 
 QString sensor_name(const body::Rig& rig, int sensor) {
-  return QString::fromStdString(rig.accelerometers.at(static_cast<std::size_t>(sensor)).name);
+  return shown_name(rig.accelerometers.at(static_cast<std::size_t>(sensor)).name);
 }
 
 QString sentence(const Error& error) {
@@ -32,7 +33,7 @@ QString sentence(const Error& error) {
 VerdictRowContent limb_row(const LimbOutcome& outcome, const body::Rig& rig, bool live) {
   VerdictRowContent content;
   const body::Accelerometer& accelerometer = rig.accelerometers.at(static_cast<std::size_t>(outcome.sensor));
-  content.title = QString::fromStdString(accelerometer.name);
+  content.title = shown_name(accelerometer.name);
   content.serial = QString::fromStdString(accelerometer.serial);
   content.decision = outcome.decision;
   content.repeatable = live;
@@ -75,8 +76,7 @@ void LimbWizard::refresh_choice() {
     groups_->clear();
     for (const body::CalibrationGroup& group : rig.groups) {
       groups_->addItem(tr("%1: %2, then %3")
-                           .arg(QString::fromStdString(group.name), QString::fromStdString(group.first.name),
-                                QString::fromStdString(group.second.name)));
+                           .arg(shown_name(group.name), shown_name(group.first.name), shown_name(group.second.name)));
     }
     groups_->setCurrentIndex(model_.group());
   }
@@ -100,7 +100,7 @@ void LimbWizard::refresh_prepare() {
   for (int pose = 0; pose < 2; ++pose) {
     const auto at = static_cast<std::size_t>(pose);
     const body::LimbPose& text = model_.pose_text(pose);
-    captions_.at(at)->setText(QStringLiteral("%1  %2").arg(pose + 1).arg(QString::fromStdString(text.name)));
+    captions_.at(at)->setText(QStringLiteral("%1  %2").arg(pose + 1).arg(shown_name(text.name)));
     instructions_.at(at)->setText(QString::fromStdString(text.instruction));
     pictures_.at(at)->set_pose(model_.rig(), model_.skeleton(), model_.group(), pose, model_.sensors());
   }
@@ -169,7 +169,7 @@ void LimbWizard::refresh_own_results() {
   repeat_both_->setEnabled(live);
   for (int pose = 0; pose < 2 && !model_.rig().groups.empty(); ++pose) {
     QPushButton* check = check_buttons_.at(static_cast<std::size_t>(pose));
-    check->setText(tr("Check: hold \"%1\" again").arg(QString::fromStdString(model_.pose_text(pose).name)));
+    check->setText(tr("Check: hold \"%1\" again").arg(shown_name(model_.pose_text(pose).name)));
     check->setEnabled(live && model_.accepted() > 0);
   }
 }

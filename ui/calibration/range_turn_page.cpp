@@ -7,6 +7,7 @@
 #include "calibration/wizard_frame.h"
 #include "common/format.h"
 #include "common/icons.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
@@ -127,8 +128,7 @@ void RangeTurnPage::refresh_chips() {
   for (std::size_t i = 0; i < std::min(chips_.size(), states.size()); ++i) {
     const RangeSensorState& state = states[i];
     const Tone tone = state.lost ? Tone::kDanger : state.progress.enough ? Tone::kGood : Tone::kUnknown;
-    const QString name =
-        QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(state.sensor)).name);
+    const QString name = shown_name(model_.rig().accelerometers.at(static_cast<std::size_t>(state.sensor)).name);
     chips_[i]->setText(state.lost ? tr("%1  no signal").arg(name)
                                   : tr("%1  %2 %").arg(name).arg(qRound(100.0 * state.progress.coverage)));
     chips_[i]->setIcon(QIcon(icon_pixmap(tone_icon(tone), finding_color(palette(), tone), 16, devicePixelRatioF())));
@@ -145,7 +145,7 @@ void RangeTurnPage::refresh() {
     shown_ = state->sensor;
     map_->clear_trail();
   }
-  const QString name = QString::fromStdString(model_.rig().accelerometers.at(static_cast<std::size_t>(shown_)).name);
+  const QString name = shown_name(model_.rig().accelerometers.at(static_cast<std::size_t>(shown_)).name);
   AdviceText text = advice_text(*state, name, model_.all_enough());
   if (model_.source_lost()) {
     const bool enough_to_try = model_.obstacle().isEmpty();

@@ -7,13 +7,14 @@
 
 #include "base/units.h"
 #include "common/core_text.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
 VerdictRowContent range_row(const RangeOutcome& outcome, const body::Rig& rig, bool live) {
   VerdictRowContent content;
   const body::Accelerometer& accelerometer = rig.accelerometers.at(static_cast<std::size_t>(outcome.sensor));
-  content.title = QString::fromStdString(accelerometer.name);
+  content.title = shown_name(accelerometer.name);
   content.serial = QString::fromStdString(accelerometer.serial);
   content.decision = outcome.decision;
   content.repeatable = live;

@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "common/shown_names.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
@@ -16,7 +17,7 @@ constexpr int kWidestName = 30 * kGrid;
 
 QString sensor_title(const body::Rig& rig, int sensor) {
   const body::Accelerometer& accelerometer = rig.accelerometers.at(static_cast<std::size_t>(sensor));
-  const QString name = QString::fromStdString(accelerometer.name);
+  const QString name = shown_name(accelerometer.name);
   return accelerometer.serial.empty()
              ? name
              : QStringLiteral("%1 · %2").arg(name, QString::fromStdString(accelerometer.serial));

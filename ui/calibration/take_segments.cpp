@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "common/shown_names.h"
 #include "solve/decoded_take.h"
 #include "solve/take_calibration.h"
 
@@ -27,8 +28,8 @@ QString segment_title(const take::TakeInfo& info, const std::string& name) {
   for (const body::CalibrationGroup& group : info.rig.groups) {
     for (const int pose : {0, 1}) {
       if (name == solve::pose_segment(group, pose)) {
-        return TakeSegments::tr("%1: %2").arg(QString::fromStdString(group.name),
-                                              QString::fromStdString(pose == 0 ? group.first.name : group.second.name));
+        return TakeSegments::tr("%1: %2").arg(shown_name(group.name),
+                                              shown_name(pose == 0 ? group.first.name : group.second.name));
       }
     }
   }

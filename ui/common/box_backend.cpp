@@ -5,17 +5,14 @@
 #include <mutex>
 
 #include "acquire/box_ports.h"
-#include "acquire/driver_box.h"
-#include "acquire/driver_box_card.h"
+#include "solve/compose.h"
 #include "solve/live_body_session.h"
-#include "take/driver_box_recording.h"
+#include "take/box_opening.h"
 
 namespace limbwave::ui {
 namespace {
 
-constexpr double kCardRate = 192000.0;
 constexpr double kPosesHz = 60.0;  // as screens show them
-constexpr const char* kClient = "limbwave";
 
 /// lupdate knows this as the context "BoxWords".
 struct BoxWords {
@@ -26,8 +23,11 @@ std::string words(const QString& text) {
   return text.toStdString();
 }
 
-solve::SensorHealth wire_health(const solve::BoxWire& wire) {
+solve::SensorHealth wire_health(const solve::BoxWire& wire, bool connected) {
   using solve::HealthState;
+  if (!connected) {
+    return {HealthState::kBad, "box-away", words(BoxWords::tr("the box is away"))};
+  }
   if (!wire.plugged) {
     return {HealthState::kBad, "wire-pulled", words(BoxWords::tr("its wire is pulled out of the box"))};
   }
@@ -51,8 +51,16 @@ solve::SensorHealth wire_health(const solve::BoxWire& wire) {
 
 class BoxBackend : public LiveBackend {
  public:
-  BoxBackend(std::unique_ptr<acquire::BoxSource> box, solve::LiveBodySettings settings)
-      : session_(std::move(box), std::move(settings)) {}
+  BoxBackend(std::unique_ptr<acquire::BoxSource> box, const solve::LiveBodySettings& settings)
+      : skeleton_(settings.skeleton),
+        sensed_(settings.skeleton.segments.size(), false),
+        session_(std::move(box), settings) {
+    for (const int segment : solve::sensor_segments(settings.rig, skeleton_)) {
+      if (segment >= 0) {
+        sensed_[static_cast<std::size_t>(segment)] = true;
+      }
+    }
+  }
   Status start() override { return session_.start(); }
   void stop() override { (void)session_.stop(); }
   Status start_recording(const std::filesystem::path& folder, const std::string& subject) override {
@@ -63,16 +71,59 @@ class BoxBackend : public LiveBackend {
   bool write_event(const take::TakeEvent& event) override { return session_.write_event(event); }
   // Boards come calibrated; the body filter estimates what is left.
   void set_calibration(const calibrate::RigCalibration& /*calibration*/) override {}
-  void set_headings(const std::vector<std::vector<solve::HeadingKey>>& /*headings*/) override {}
+  void set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) override;
   [[nodiscard]] std::shared_ptr<const solve::LiveSnapshot> snapshot() const override;
-  [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const override { return session_.figure(); }
+  [[nodiscard]] std::shared_ptr<const solve::LiveFigure> figure() const override;
   void on_figure(std::function<void()> told) override { session_.on_figure(std::move(told)); }
 
  private:
+  void turn(std::vector<body::SegmentPose>& pose) const;
+
+  body::Skeleton skeleton_;
+  std::vector<bool> sensed_;
   solve::LiveBodySession session_;
   mutable std::mutex mutex_;
+  std::vector<double> turns_;            ///< By segment, radians, the user's; empty: none.
+  mutable acquire::BoxCounters before_;  ///< The recording, or until now.
   mutable std::shared_ptr<const solve::LiveSnapshot> last_;
 };
+
+void BoxBackend::set_headings(const std::vector<std::vector<solve::HeadingKey>>& headings) {
+  std::vector<double> turns(skeleton_.segments.size(), 0.0);
+  for (std::size_t s = 0; s < std::min(turns.size(), headings.size()); ++s) {
+    turns[s] = headings[s].empty() ? 0.0 : headings[s].back().heading;  // those of live figures hold from now on
+  }
+  if (std::all_of(turns.begin(), turns.end(), [](double turn) { return turn == 0.0; })) {
+    turns.clear();
+  }
+  const std::scoped_lock lock(mutex_);
+  turns_ = std::move(turns);
+}
+
+// As it is done to a solved take: the filter knows nothing of it.
+void BoxBackend::turn(std::vector<body::SegmentPose>& pose) const {
+  if (turns_.size() != pose.size() || pose.empty()) {
+    return;
+  }
+  std::vector<Eigen::Quaterniond> R_WL;
+  R_WL.reserve(pose.size());
+  for (const body::SegmentPose& segment : pose) {
+    R_WL.push_back(segment.R_WL);
+  }
+  solve::turn_segments(skeleton_, sensed_, turns_, R_WL);
+  pose = body::poses_from_orientations(skeleton_, R_WL, pose.front().p_WL);
+}
+
+std::shared_ptr<const solve::LiveFigure> BoxBackend::figure() const {
+  std::shared_ptr<const solve::LiveFigure> figure = session_.figure();
+  const std::scoped_lock lock(mutex_);
+  if (!figure || turns_.empty()) {
+    return figure;
+  }
+  auto turned = std::make_shared<solve::LiveFigure>(*figure);
+  turn(turned->pose);
+  return turned;
+}
 
 std::shared_ptr<const solve::LiveSnapshot> BoxBackend::snapshot() const {
   const std::shared_ptr<const solve::LiveBodySnapshot> now = session_.snapshot();
@@ -86,13 +137,19 @@ std::shared_ptr<const solve::LiveSnapshot> BoxBackend::snapshot() const {
   next->stream_time_s = now->stream_time_s;
   next->format = now->format;
   for (const solve::BoxWire& wire : now->wires) {
-    next->health.push_back(wire_health(wire));
+    next->health.push_back(wire_health(wire, now->connected));
   }
   next->pose = now->pose;
+  turn(next->pose);
   next->pose_time_s = now->pose_time_s;
   next->diagnostics = now->diagnostics;
-  next->counters.overflows = now->counters.gaps;
-  next->counters.dropped_frames = now->counters.lost_frames;
+  // While it records, those of the recording.
+  if (!now->recording) {
+    before_ = now->counters;
+  }
+  next->counters.overflows = now->recording ? now->counters.gaps - before_.gaps : now->counters.gaps;
+  next->counters.dropped_frames =
+      now->recording ? now->counters.lost_frames - before_.lost_frames : now->counters.lost_frames;
   next->recording = now->recording;
   next->take_folder = now->take_folder;
   next->recorded_s = now->recorded_s;
@@ -105,41 +162,27 @@ std::shared_ptr<const solve::LiveSnapshot> BoxBackend::snapshot() const {
   return last_;
 }
 
-Result<std::unique_ptr<acquire::BoxSource>> open_source(const std::string& port, const DeviceSetup& setup,
-                                                        body::Rig& rig) {
-  if (!acquire::is_card_port(port)) {
-    auto box = acquire::DriverBox::open(port);
-    if (!box) {
-      return box.error();
-    }
-    return std::unique_ptr<acquire::BoxSource>(std::move(box).value());
-  }
-  rig = take::rig_at_rate(std::move(rig), setup.rate_hz > 0.0 ? setup.rate_hz : kCardRate);
-  acquire::CardBoxSettings card;
-  card.rate_hz = rig.driver_box->rate_hz;
-  card.wires = static_cast<int>(rig.microphones.size());
-  card.sources = static_cast<int>(rig.sources.size());
-  card.slot_samples = rig.driver_box->slot_samples;
-  card.pulse_hz = rig.driver_box->pulse_hz;
-  card.pulse_cycles = rig.driver_box->pulse_cycles;
-  card.client = kClient;
-  return acquire::open_card_box(port, card);
-}
-
 }  // namespace
 
 Result<std::unique_ptr<LiveBackend>> open_box_backend(const std::string& id, const DeviceSetup& setup,
                                                       solve::LiveSettings& settings) {
-  if (!settings.rig.driver_box) {
-    return Error{"has no driver box", "rig \"" + settings.rig.name + "\"",
-                 "use driver-box-body or another with a driver box"};
-  }
   if (setup.height_m > 0.0 && settings.skeleton.height > 0.0) {
     settings.rig = body::scaled(std::move(settings.rig), setup.height_m / settings.skeleton.height);
     settings.skeleton = body::scaled_to_height(settings.skeleton, setup.height_m);
   }
   const std::string port = acquire::box_port(id);
-  auto box = open_source(port, setup, settings.rig);
+  calibrate::RangingCalibration ranging;
+  ranging.method = "nominal";
+  if (!setup.ranging_take.empty()) {
+    auto measured = take::ranging_of(setup.ranging_take, settings.rig);
+    if (!measured) {
+      return measured.error();
+    }
+    ranging = std::move(measured).value();
+  }
+  // Delays belong to the sources, the speed of sound to the day.
+  ranging.speed_of_sound = calibrate::speed_of_sound(setup.temperature_c, setup.humidity / 100.0);
+  auto box = take::open_box(port, setup.rate_hz, settings.rig);
   if (!box) {
     Error error = box.error();
     error.place = error.place == port ? id : error.place;
@@ -148,11 +191,10 @@ Result<std::unique_ptr<LiveBackend>> open_box_backend(const std::string& id, con
   solve::LiveBodySettings body;
   body.rig = settings.rig;
   body.skeleton = settings.skeleton;
-  body.ranging.method = "nominal";
-  body.ranging.speed_of_sound = calibrate::speed_of_sound(setup.temperature_c, setup.humidity / 100.0);
+  body.ranging = std::move(ranging);
   body.solve.root = "contacts";
   body.solve.rate_hz = kPosesHz;
-  return std::unique_ptr<LiveBackend>(std::make_unique<BoxBackend>(std::move(box).value(), std::move(body)));
+  return std::unique_ptr<LiveBackend>(std::make_unique<BoxBackend>(std::move(box).value(), body));
 }
 
 }  // namespace limbwave::ui

@@ -9,6 +9,7 @@
 
 #include "common/core_texts.h"
 #include "common/format.h"
+#include "common/shown_names.h"
 
 namespace limbwave::ui {
 namespace {
@@ -25,6 +26,7 @@ constexpr std::array kWords{
     QT_TRANSLATE_NOOP("Core", "writing the truth"),
     QT_TRANSLATE_NOOP("Core", "closing the take"),
     QT_TRANSLATE_NOOP("Core", "decoding"),
+    QT_TRANSLATE_NOOP("Core", "pulled"),
     QT_TRANSLATE_NOOP("Core", "calibrating"),
     QT_TRANSLATE_NOOP("Core", "estimating"),
     QT_TRANSLATE_NOOP("Core", "writing"),
@@ -70,12 +72,24 @@ std::optional<QString> by_wording(const QString& text, int depth) {
 
 // A number as the language writes it; nothing else.
 std::optional<QString> number(const QString& text) {
-  static const QRegularExpression decimal(QStringLiteral("^-?\\d+\\.\\d+$"));
+  static const QRegularExpression decimal(QStringLiteral("^-?\\d+\\.\\d+( s)?$"));
   if (!decimal.match(text).hasMatch()) {
     return std::nullopt;
   }
   QString result = text;
   return result.replace(QLatin1Char('.'), QLocale().decimalPoint());
+}
+
+// Names, alone or "between quotation marks" and in lists of such.
+QString quoted_names(const QString& text) {
+  if (!text.contains(QLatin1Char('"'))) {
+    return shown_name(text.toStdString());
+  }
+  QStringList parts = text.split(QLatin1Char('"'));
+  for (qsizetype i = 1; i + 1 < parts.size(); i += 2) {
+    parts[i] = shown_name(parts[i].toStdString());
+  }
+  return parts.join(QLatin1Char('"'));
 }
 
 QString translated(const QString& text, int depth) {
@@ -95,7 +109,7 @@ QString translated(const QString& text, int depth) {
       return translated(text.left(at), depth + 1) + joint + translated(text.mid(at + joint.size()), depth + 1);
     }
   }
-  return text;
+  return quoted_names(text);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "common/core_text.h"
+#include "solve/live_body_session.h"
 
 namespace limbwave::ui {
 namespace {
@@ -13,6 +14,14 @@ struct Health {
 };
 
 }  // namespace
+
+Loss loss_of(const solve::LiveSnapshot& snapshot) {
+  const bool lost = snapshot.counters.overflows > 0 || snapshot.counters.dropped_frames > 0;
+  if (snapshot.box) {
+    return !snapshot.box->connected ? Loss::kNow : lost ? Loss::kPast : Loss::kNone;
+  }
+  return lost ? Loss::kNow : Loss::kNone;
+}
 
 QString health_text(const solve::SensorHealth& health) {
   if (health.text.empty()) {

@@ -12,7 +12,7 @@ struct MotionName {
   const char* hint;
 };
 
-constexpr std::array<MotionName, 9> kNames{
+constexpr std::array<MotionName, 11> kNames{
     {{"wave", QT_TRANSLATE_NOOP("Motions", "Waving"), QT_TRANSLATE_NOOP("Motions", "Quick turns of the forearm")},
      {"arm-raise", QT_TRANSLATE_NOOP("Motions", "Arm raises"), QT_TRANSLATE_NOOP("Motions", "Slow and exact")},
      {"reach", QT_TRANSLATE_NOOP("Motions", "Reaching for a glass"),
@@ -20,6 +20,8 @@ constexpr std::array<MotionName, 9> kNames{
      {"walk", QT_TRANSLATE_NOOP("Motions", "Walking"), QT_TRANSLATE_NOOP("Motions", "The arm swings along")},
      {"box", QT_TRANSLATE_NOOP("Motions", "Boxing"), QT_TRANSLATE_NOOP("Motions", "Hard accelerations")},
      {"every-joint", QT_TRANSLATE_NOOP("Motions", "Every joint"), QT_TRANSLATE_NOOP("Motions", "One after another")},
+     {"run", QT_TRANSLATE_NOOP("Motions", "Running"), QT_TRANSLATE_NOOP("Motions", "Quick and hard")},
+     {"squat", QT_TRANSLATE_NOOP("Motions", "Squats"), QT_TRANSLATE_NOOP("Motions", "Slow, with the whole body")},
      {"still", QT_TRANSLATE_NOOP("Motions", "Still poses"), QT_TRANSLATE_NOOP("Motions", "For measuring accuracy")},
      {"range", QT_TRANSLATE_NOOP("Motions", "Turning the sensors"),
       QT_TRANSLATE_NOOP("Motions", "For the range calibration")},

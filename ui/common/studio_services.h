@@ -49,6 +49,7 @@ struct DeviceSetup {
   // Of a driver box.
   double temperature_c = 22.0, humidity = 50.0;  ///< Of the air, per cent: they make the speed of sound.
   double height_m = 0.0;                         ///< Of the wearer; 0: as the skeleton's file says.
+  std::string ranging_take;  ///< Folder of a take with measured delays of the sources; empty: nominal.
   bool operator==(const DeviceSetup&) const = default;
 };
 

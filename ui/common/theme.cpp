@@ -37,7 +37,7 @@ QPalette make_palette(const ThemeColors& c) {
 }
 
 QString make_stylesheet(const ThemeColors& c) {
-  // Names in %1..%9 order: window, panel, base, raised, line, text, dim, accent, accent_text; then danger, hover.
+  // Names in %1..%9 order: window, panel, base, raised, line, text, dim, accent, accent_text; then danger, hover, accent at hover, theme, warning.
   const QString hover = (c.dark ? c.raised.lighter(118) : c.raised.darker(106)).name();
   return QStringLiteral(R"(
 * { outline: none; }
@@ -58,6 +58,7 @@ QWidget[strip="true"] { background: %2; }
 QLabel[role="dim"] { color: %7; }
 QLabel[role="heading"] { color: %7; font-weight: 600; }
 QLabel[role="danger"] { color: %10; }
+QLabel[role="warning"] { color: %14; }
 QPushButton, QToolButton { background: %4; color: %6; border: 1px solid transparent; border-radius: 4px; padding: 6px 14px; }
 QPushButton { min-height: 18px; }
 QToolButton { padding: 6px; }
@@ -127,7 +128,7 @@ QSlider::handle:horizontal:disabled { background: %7; }
       .arg(c.window.name(), c.panel.name(), c.base.name(), c.raised.name(), c.line.name(), c.text.name(), c.dim.name(),
            c.accent.name(), c.accent_text.name())
       .arg(c.danger.name(), hover, (c.dark ? c.accent.lighter(112) : c.accent.darker(112)).name(),
-           c.dark ? QStringLiteral("dark") : QStringLiteral("light"));
+           c.dark ? QStringLiteral("dark") : QStringLiteral("light"), c.warning.name());
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ constexpr double kShortest_s = 0.02;  // about one cycle of the multiplexer
 constexpr double kGrab = 6.0;         // pixels beside a marker's line that still take it
 constexpr double kFlag = 16.0;        // height of the markers' names
 constexpr double kStep_s = 0.01, kLongStep_s = 0.1;
+constexpr double kWire = 7.0;   // height of a wire's row
+constexpr double kMany = 30.0;  // ranges a second of a wire that sees its sources well
 }  // namespace
 
 OverviewView::OverviewView(QWidget* parent) : QWidget(parent) {
@@ -31,8 +33,33 @@ OverviewView::OverviewView(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
 }
 
+QSize OverviewView::sizeHint() const {
+  return {600,
+          has_wires() ? static_cast<int>(kFlag + kWire * static_cast<double>(overview_->box.wires()) + kAxis) : 96};
+}
+
+QSize OverviewView::minimumSizeHint() const {
+  return {300, has_wires() ? sizeHint().height() : 80};
+}
+
+void OverviewView::set_selected_wire(int wire) {
+  if (wire != std::exchange(selected_wire_, wire)) {
+    update();
+  }
+}
+
+QRectF OverviewView::wire_row(std::size_t wire) const {
+  return {0, kFlag + kWire * static_cast<double>(wire), static_cast<double>(width()), kWire};
+}
+
+int OverviewView::wire_at(double y) const {
+  const int wire = static_cast<int>(std::floor((y - kFlag) / kWire));
+  return has_wires() && wire >= 0 && wire < static_cast<int>(overview_->box.wires()) ? wire : -1;
+}
+
 void OverviewView::set_overview(std::shared_ptr<const TakeOverview> overview) {
   overview_ = std::move(overview);
+  updateGeometry();
   begin_s_ = 0.0;
   end_s_ = overview_ ? overview_->seconds() : 0.0;
   all_ = true;
@@ -40,6 +67,9 @@ void OverviewView::set_overview(std::shared_ptr<const TakeOverview> overview) {
 }
 
 void OverviewView::grown() {
+  if (has_wires() && height() != sizeHint().height()) {
+    updateGeometry();  // The first that is known of the wires.
+  }
   if (all_ && overview_) {
     begin_s_ = 0.0;
     end_s_ = overview_->seconds();
@@ -140,6 +170,71 @@ void OverviewView::paint_marks(QPainter& painter, const QRectF& band) const {
   }
 }
 
+void OverviewView::paint_signal(QPainter& painter, const QRectF& band) const {
+  const ThemeColors& theme = theme_colors(palette());
+  const AxisMap time = time_axis();
+  const double rate = overview_->rate_hz;
+  const AxisMap x{time.value_begin * rate, time.value_end * rate, time.pixel_begin, time.pixel_end};
+  const auto first = static_cast<std::int64_t>(std::floor(x.value_begin));
+  const auto last = static_cast<std::int64_t>(std::ceil(x.value_end)) + 1;
+  const std::array<const signal::MinMaxPyramid*, 2> channels{&overview_->left, &overview_->right};
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double share = c == 0 ? 0.64 : 0.36;
+    const QRectF area(0, c == 0 ? 0.0 : band.height() * 0.64, width(), band.height() * share);
+    const AxisMap y{-1.0, 1.0, area.bottom() - 1, area.top() + 1};
+    const QColor color = c == 0 ? series_color(theme, 1) : theme.dim;
+    painter.setPen(QPen(color, 1));
+    painter.setBrush(color);
+    painter.drawPolygon(min_max_outline(channels.at(c)->query(first, last, width()), x, y));
+  }
+}
+
+// Colour, height and place tell the same: well is a low bar, as bright as sources are in sight; what is wrong is high.
+void OverviewView::paint_wires(QPainter& painter) const {
+  const ThemeColors& theme = theme_colors(palette());
+  const AxisMap time = time_axis();
+  const BoxHistory& box = overview_->box;
+  const auto columns = static_cast<double>(box.columns());
+  const double first = std::clamp(std::floor(time.value_begin / box.column_s()), 0.0, columns);
+  const double last = std::clamp(std::ceil(time.value_end / box.column_s()), 0.0, columns);
+  for (std::size_t w = 0; w < box.wires(); ++w) {
+    const QRectF row = wire_row(w);
+    if (static_cast<int>(w) == selected_wire_) {
+      painter.fillRect(row, theme.raised);
+    }
+    for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c) {
+      const double begin = time.to_pixel(static_cast<double>(c) * box.column_s());
+      const double end = time.to_pixel(static_cast<double>(c + 1) * box.column_s());
+      const WireCell& cell = box.cell(w, c);
+      const auto bar = [&](double top, double height, const QColor& color) {
+        painter.fillRect(QRectF(begin, row.top() + top, std::max(1.0, end - begin), height), color);
+      };
+      switch (cell.condition) {
+        case WireCondition::kWell:
+        case WireCondition::kUnseen: {
+          QColor color = theme.good;
+          const double share = cell.ranges_hz < 0.0F ? 0.6 : std::min(1.0, static_cast<double>(cell.ranges_hz) / kMany);
+          color.setAlphaF(static_cast<float>(0.25 + 0.75 * share));
+          bar(2.0, 3.0, cell.condition == WireCondition::kWell ? color : theme.line);
+          break;
+        }
+        case WireCondition::kSilent:
+          bar(1.0, kWire - 2.0, theme.warning);
+          break;
+        case WireCondition::kPulled:
+          bar(3.0, 1.0, theme.warning);  // nothing but a line
+          break;
+        case WireCondition::kClips:
+        case WireCondition::kLost:
+          bar(0.0, kWire, theme.danger);
+          break;
+        case WireCondition::kUnknown:
+          break;
+      }
+    }
+  }
+}
+
 void OverviewView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const ThemeColors& theme = theme_colors(palette());
@@ -158,20 +253,7 @@ void OverviewView::paintEvent(QPaintEvent*) {
     return;
   }
   const AxisMap time = time_axis();
-  const double rate = overview_->rate_hz;
-  const AxisMap x{time.value_begin * rate, time.value_end * rate, time.pixel_begin, time.pixel_end};
-  const auto first = static_cast<std::int64_t>(std::floor(x.value_begin));
-  const auto last = static_cast<std::int64_t>(std::ceil(x.value_end)) + 1;
-  const std::array<const signal::MinMaxPyramid*, 2> channels{&overview_->left, &overview_->right};
-  for (std::size_t c = 0; c < 2; ++c) {
-    const double share = c == 0 ? 0.64 : 0.36;
-    const QRectF area(0, c == 0 ? 0.0 : band.height() * 0.64, width(), band.height() * share);
-    const AxisMap y{-1.0, 1.0, area.bottom() - 1, area.top() + 1};
-    const QColor color = c == 0 ? series_color(theme, 1) : theme.dim;
-    painter.setPen(QPen(color, 1));
-    painter.setBrush(color);
-    painter.drawPolygon(min_max_outline(channels.at(c)->query(first, last, width()), x, y));
-  }
+  has_wires() ? paint_wires(painter) : paint_signal(painter, band);
   paint_marks(painter, band);
   const double step = nice_step(time.value_end - time.value_begin, std::max(1, width() / 90));
   painter.setPen(theme.dim);
@@ -203,6 +285,8 @@ void OverviewView::mousePressEvent(QMouseEvent* event) {
   if (dragged_ != 0) {
     dragged_to_s_ = mark->time_s;
     Q_EMIT mark_selected(dragged_);
+  } else if (const int wire = wire_at(event->position().y()); wire >= 0 && event->button() == Qt::LeftButton) {
+    Q_EMIT wire_clicked(wire);
   }
 }
 
@@ -251,6 +335,14 @@ bool OverviewView::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const OverviewMark* mark = mark_at(help->pos());
+    const int wire = mark == nullptr ? wire_at(help->pos().y()) : -1;
+    const QString words =
+        wire >= 0 ? overview_->box.words(static_cast<std::size_t>(wire), time_axis().to_value(help->pos().x()))
+                  : QString();
+    if (!words.isEmpty()) {
+      QToolTip::showText(help->globalPos(), words, this);
+      return true;
+    }
     QToolTip::showText(
         help->globalPos(),
         mark != nullptr ? tr("%1 at %2. Drag: move. Double click: rename. Delete: delete.")

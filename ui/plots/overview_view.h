@@ -35,8 +35,12 @@ class OverviewView : public QWidget {
   [[nodiscard]] double visible_begin_s() const { return begin_s_; }
   [[nodiscard]] double visible_end_s() const { return end_s_; }
   void set_visible(double begin_s, double end_s);
-  [[nodiscard]] QSize sizeHint() const override { return {600, 96}; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {300, 80}; }
+  /// Of a driver box: the wire whose row is marked; -1: none.
+  void set_selected_wire(int wire);
+  /// The wire whose row is at a height, pixels; -1: none.
+  [[nodiscard]] int wire_at(double y) const;
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   void visible_changed(double begin_s, double end_s);
@@ -44,6 +48,7 @@ class OverviewView : public QWidget {
   /// It was dragged, or moved by a key: once at the end of the gesture.
   void mark_moved(std::int64_t number, double time_s);
   void mark_removed(std::int64_t number);
+  void wire_clicked(int wire);               ///< Of a driver box.
   void mark_activated(std::int64_t number);  ///< Double click or Enter: its name is to be changed.
   void mark_wanted(double time_s);           ///< Double click beside the marks' band's marks.
 
@@ -66,10 +71,15 @@ class OverviewView : public QWidget {
   [[nodiscard]] const OverviewMark* selected_mark() const;
   [[nodiscard]] double shown_time(const OverviewMark& mark) const;
   void paint_marks(QPainter& painter, const QRectF& band) const;
+  void paint_signal(QPainter& painter, const QRectF& band) const;
+  void paint_wires(QPainter& painter) const;
+  [[nodiscard]] bool has_wires() const { return overview_ && overview_->box.wires() > 0; }
+  [[nodiscard]] QRectF wire_row(std::size_t wire) const;
   bool mark_key(QKeyEvent* event);
 
   double drag_x_ = 0.0;
   std::int64_t selected_ = 0;
+  int selected_wire_ = -1;
   std::int64_t dragged_ = 0;   ///< The marker under the pressed button.
   double dragged_to_s_ = 0.0;  ///< Where it would go.
   bool drag_moved_ = false;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/units.h"
+#include "common/shown_names.h"
 #include "plots/take_pictures.h"
 #include "solve/front_end.h"
 #include "take/take_reader.h"
@@ -130,7 +131,7 @@ void draw_accelerations(QPainter& painter, const QRectF& area, const take::Take&
   }
   painter.setPen(kText);
   painter.drawText(area.adjusted(8, 4, 0, 0), Qt::AlignLeft | Qt::AlignTop,
-                   QString::fromStdString(take.info.rig.accelerometers[sensor].name));
+                   shown_name(take.info.rig.accelerometers[sensor].name));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "plots/take_overview.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "take/take_reader.h"
@@ -13,6 +14,16 @@ Result<std::shared_ptr<const TakeOverview>> load_overview(const take::Take& take
     return reader.error();
   }
   auto overview = std::make_shared<TakeOverview>();
+  if (take.info.kind == "driver-box") {
+    Result<BoxHistory> box = BoxHistory::of_take(take, progress);
+    if (!box) {
+      return box.error();
+    }
+    overview->box = std::move(box).value();
+    overview->rate_hz = reader->format().rate.hz;
+    overview->frames = reader->frames();
+    return std::shared_ptr<const TakeOverview>(overview);
+  }
   const auto channels = static_cast<std::size_t>(reader->format().channels);
   overview->rate_hz = reader->format().rate.hz;
   const std::int64_t total = reader->frames();

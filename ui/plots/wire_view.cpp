@@ -10,6 +10,7 @@
 
 #include "common/format.h"
 #include "common/icons.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 #include "plots/level_meter.h"
@@ -70,14 +71,16 @@ void WireView::set_snapshot(std::shared_ptr<const solve::LiveBodySnapshot> snaps
     updateGeometry();
   }
   QStringList troubles;
-  for (int w = 0; w < wires(); ++w) {
+  const bool away = snapshot_ && !snapshot_->connected;
+  for (int w = 0; w < wires() && !away; ++w) {
     const solve::BoxWire& wire = snapshot_->wires[static_cast<std::size_t>(w)];
     if (tone_of(wire) == Tone::kWarning) {
-      troubles << tr("%1: %2").arg(QString::fromStdString(wire.board), state_words(wire));
+      troubles << tr("%1: %2").arg(shown_name(wire.board), state_words(wire));
     }
   }
-  const QString words =
-      troubles.isEmpty() && wires() > 0 ? tr("All wires are well.") : troubles.join(QStringLiteral("; "));
+  const QString words = away                                ? tr("The box is away.")
+                        : troubles.isEmpty() && wires() > 0 ? tr("All wires are well.")
+                                                            : troubles.join(QStringLiteral("; "));
   if (accessibleDescription() != words) {
     setAccessibleDescription(words);
   }
@@ -106,7 +109,7 @@ QString WireView::state_words(const solve::BoxWire& wire) {
     case estimate::BoardState::kWell:
       break;
   }
-  return wire.clipped ? tr("clips") : tr("well");
+  return wire.clipped ? tr("clips") : wire.ranges_hz > 0.0 ? tr("well") : tr("well, no source in sight");
 }
 
 int WireView::wire_at(double y) const {
@@ -138,7 +141,7 @@ bool WireView::event(QEvent* event) {
       QToolTip::showText(help->globalPos(),
                          tr("Wire %1, %2: %3. Words lost: %4 of %5; bits put right: %6.")
                              .arg(wire + 1)
-                             .arg(QString::fromStdString(one.board), state_words(one))
+                             .arg(shown_name(one.board), state_words(one))
                              .arg(one.lost_frames)
                              .arg(one.frames)
                              .arg(one.bit_errors),
@@ -178,7 +181,9 @@ void WireView::paintEvent(QPaintEvent*) {
       painter.fillRect(area, theme.raised);
       painter.fillRect(QRectF(0, area.top(), 3, row), theme.accent);
     }
-    const Tone tone = tone_of(wire);
+    // What a box that is away said last is of no use any more.
+    const bool away = !snapshot_->connected;
+    const Tone tone = away ? Tone::kUnknown : tone_of(wire);
     painter.drawPixmap(QPointF(at.icon, area.center().y() - 7),
                        icon_pixmap(tone_icon(tone), tone_color(palette(), tone), 14, devicePixelRatioF()));
     const auto text = [&](double x, double until, const QString& words, const QColor& color, const QFont& with) {
@@ -187,7 +192,13 @@ void WireView::paintEvent(QPaintEvent*) {
       painter.drawText(QRectF(x, area.top(), until - x - kGrid, row), Qt::AlignLeft | Qt::AlignVCenter,
                        QFontMetrics(with).elidedText(words, Qt::ElideRight, static_cast<int>(until - x - kGrid)));
     };
-    text(at.name, at.level, QString::fromStdString(wire.board), theme.text, font());
+    text(at.name, at.level, shown_name(wire.board), away ? theme.dim : theme.text, font());
+    if (away) {
+      text(at.state, width(), tr("away"), theme.dim, font());
+      painter.setPen(theme.grid);
+      painter.drawLine(QPointF(0, area.bottom() + 0.5), QPointF(width(), area.bottom() + 0.5));
+      continue;
+    }
     const QRectF bar(at.level, area.center().y() - 4, at.words - at.level - 9 * kGrid, 8);
     painter.fillRect(bar, theme.panel);
     if (wire.level > 0.0) {

@@ -40,6 +40,8 @@ class OrbitCamera {
   void pan(double dx, double dy, double height);
   /// Divides the distance by `factor` (> 1 comes nearer), within limits.
   void zoom(double factor);
+  /// Moves along with something: the same way and distance, another target.
+  void follow(const Eigen::Vector3d& target) { target_ = target; }
   /// Looks along an axis, keeping target and distance.
   void look(ViewDirection direction);
   /// Centres on a sphere and goes as far away as it needs to be seen whole. Asserts that aspect (width / height) > 0.

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <QWindow>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -22,6 +23,8 @@ namespace {
 
 constexpr double kRadiansPerPixel = 0.007;
 constexpr double kZoomPerNotch = 1.12;
+constexpr double kFollowMargin = 0.3;  // of the picture, in which a whole figure's middle is not left
+constexpr double kFollowShare = 0.1;   // of the way, with every pose
 constexpr double kPickSlackPixels = 4.0;
 
 }  // namespace
@@ -57,6 +60,7 @@ struct ViewerWidget::Impl {
   bool floor = true, sensors = true, ghost = true;
   std::vector<Eigen::Vector3d> extent;
   bool framed = false;  // Once a figure has been shown, the user's view stays.
+  bool follows = false;
   std::optional<bool> dark;
   QPointF pressed_at, last_at;
   Qt::MouseButton button = Qt::NoButton;
@@ -143,6 +147,34 @@ void ViewerWidget::set_pose(const std::vector<body::SegmentPose>& poses, double 
   if (!impl_->framed && !poses.empty()) {
     frame_all();
   }
+  if (impl_->framed && impl_->follows && isVisible() && !poses.empty()) {
+    follow_figure();
+  }
+}
+
+// A figure that is seen as a whole is kept off the edges; one that is looked at closely is left alone until nothing of
+// it is in the picture any more.
+void ViewerWidget::follow_figure() {
+  const Eigen::Vector2d size(width(), std::max(1, height()));
+  const auto inside = [&](const Eigen::Vector3d& point, double margin) {
+    const auto pixel = impl_->camera.project(point, size);
+    return pixel && (pixel->array() >= margin * size.array()).all() &&
+           (pixel->array() <= (1.0 - margin) * size.array()).all();
+  };
+  const Sphere sphere = bounds(impl_->skeleton, impl_->poses);
+  const double across = 2.0 * impl_->camera.distance() * std::tan(impl_->camera.vertical_field() / 2.0);
+  const bool whole = 2.0 * sphere.radius < 1.2 * across;
+  const bool gone = std::none_of(impl_->poses.begin(), impl_->poses.end(),
+                                 [&](const body::SegmentPose& pose) { return inside(pose.p_WL, 0.0); });
+  if (gone || (whole && !inside(sphere.centre, kFollowMargin))) {
+    const Eigen::Vector3d& target = impl_->camera.target();
+    impl_->camera.follow(gone ? sphere.centre : Eigen::Vector3d(target + kFollowShare * (sphere.centre - target)));
+    update_camera();
+  }
+}
+
+void ViewerWidget::set_follows(bool follows) {
+  impl_->follows = follows;
 }
 
 void ViewerWidget::set_sensors(const std::vector<ViewerSensor>& sensors) {

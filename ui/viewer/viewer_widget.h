@@ -59,6 +59,8 @@ class ViewerWidget : public QWidget {
   /// What "everything" is for framing: points of a whole motion, metres. Without any, the present pose. The first ones
   /// also place the camera.
   void set_extent(std::vector<Eigen::Vector3d> points);
+  /// The camera goes along with a figure that is about to leave the picture.
+  void set_follows(bool follows);
 
   void look(ViewDirection direction);
   /// Centres the selected bone, or everything when none is selected.
@@ -98,6 +100,7 @@ class ViewerWidget : public QWidget {
  private:
   struct Impl;
   void update_camera();
+  void follow_figure();
   void follow_palette();
   std::unique_ptr<Impl> impl_;
 };

@@ -6,6 +6,7 @@
 
 #include "calibration/gauges.h"
 #include "common/core_text.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 
@@ -69,7 +70,7 @@ void CalibrateHistory::refresh() {
   const auto at = static_cast<std::size_t>(sensor);
   const body::Rig& rig = desk_.rig();
   const body::Accelerometer& accelerometer = rig.accelerometers[at];
-  title_->setText(QString::fromStdString(accelerometer.name));
+  title_->setText(shown_name(accelerometer.name));
   serial_->setText(accelerometer.serial.empty() ? tr("No serial: known by its place on the board.")
                                                 : tr("Serial %1").arg(QString::fromStdString(accelerometer.serial)));
   list_layout_->addWidget(heading_label(tr("Range"), list_));

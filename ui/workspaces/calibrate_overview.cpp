@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/icons.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
@@ -43,7 +44,7 @@ CalibrationSummary summarize(const body::Rig& rig, const calibrate::RigCalibrati
     summary.mounts += calibrated(mount.method) ? 1 : 0;
     if ((calibrated(range.method) && range_verdict(range) == calibrate::Verdict::kRepeat) ||
         (calibrated(mount.method) && mount_verdict(mount) == calibrate::Verdict::kRepeat)) {
-      bad << QString::fromStdString(rig.accelerometers[at].name);
+      bad << shown_name(rig.accelerometers[at].name);
     }
   }
   summary.headline = summary.ranges == count && summary.mounts >= mountable && bad.isEmpty()
@@ -309,7 +310,7 @@ void CalibrateOverview::refresh_rows() {
   const calibrate::RigCalibration calibration = shown();
   for (std::size_t s = 0; s < rows_.size(); ++s) {
     const body::Accelerometer& accelerometer = rig.accelerometers[s];
-    rows_[s]->set_content(QString::fromStdString(accelerometer.name),
+    rows_[s]->set_content(shown_name(accelerometer.name),
                           accelerometer.serial.empty() ? tr("no serial") : QString::fromStdString(accelerometer.serial),
                           range_state(calibration.sensors.at(s)), mount_state(calibration.mounts.at(s)),
                           in_a_group(rig, static_cast<int>(s)));

@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "common/format.h"
+#include "common/shown_names.h"
 #include "common/widgets.h"
 
 namespace limbwave::ui {
@@ -48,7 +49,7 @@ ImportSheet::ImportSheet(StudioContext& context, const QStringList& files, QWidg
       if (rig.driver_box) {
         continue;  // recordings are a sound card's
       }
-      rig_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
+      rig_->addItem(shown_name(rig.title), QString::fromStdString(rig.name));
     }
   }
   const QString last =

@@ -32,15 +32,16 @@ struct Chapter {
   const char* name;
   const char* title;
 };
-constexpr std::array<Chapter, 9> kChapters{{{"overview", QT_TRANSLATE_NOOP("Manual", "From sensors to an animation")},
-                                            {"wiring", QT_TRANSLATE_NOOP("Manual", "Wiring and the signal")},
-                                            {"levels", QT_TRANSLATE_NOOP("Manual", "Levels")},
-                                            {"range", QT_TRANSLATE_NOOP("Manual", "Calibrating the range")},
-                                            {"mounting", QT_TRANSLATE_NOOP("Manual", "Calibrating the mounting")},
-                                            {"recording", QT_TRANSLATE_NOOP("Manual", "Recording alone")},
-                                            {"recorder", QT_TRANSLATE_NOOP("Manual", "With a portable recorder")},
-                                            {"exporting", QT_TRANSLATE_NOOP("Manual", "Solving and exporting")},
-                                            {kKeys, QT_TRANSLATE_NOOP("Manual", "Keys")}}};
+constexpr std::array<Chapter, 10> kChapters{{{"overview", QT_TRANSLATE_NOOP("Manual", "From sensors to an animation")},
+                                             {"wiring", QT_TRANSLATE_NOOP("Manual", "Wiring and the signal")},
+                                             {"levels", QT_TRANSLATE_NOOP("Manual", "Levels")},
+                                             {"range", QT_TRANSLATE_NOOP("Manual", "Calibrating the range")},
+                                             {"mounting", QT_TRANSLATE_NOOP("Manual", "Calibrating the mounting")},
+                                             {"recording", QT_TRANSLATE_NOOP("Manual", "Recording alone")},
+                                             {"recorder", QT_TRANSLATE_NOOP("Manual", "With a portable recorder")},
+                                             {"driver-box", QT_TRANSLATE_NOOP("Manual", "The driver box")},
+                                             {"exporting", QT_TRANSLATE_NOOP("Manual", "Solving and exporting")},
+                                             {kKeys, QT_TRANSLATE_NOOP("Manual", "Keys")}}};
 
 QString title_of(const Chapter& chapter) {
   return QCoreApplication::translate("Manual", chapter.title);

@@ -72,16 +72,20 @@ void RecordBanner::changeEvent(QEvent* event) {
   }
 }
 
-bool RecordBanner::losing() const {
+Loss RecordBanner::loss() const {
   const auto& snapshot = context_.live().snapshot();
-  return snapshot && (snapshot->counters.overflows > 0 || snapshot->counters.dropped_frames > 0);
+  return snapshot ? loss_of(*snapshot) : Loss::kNone;
 }
 
 void RecordBanner::show_dot() {
   // Red is for losing data; that it records is no trouble.
   const ThemeColors& theme = theme_colors(palette());
-  dot_->setPixmap(icon_pixmap(shows_loss_ ? QStringLiteral("bad") : QStringLiteral("record"),
-                              shows_loss_ ? theme.danger : theme.accent, kDot, devicePixelRatioF()));
+  const bool now = shows_loss_ == Loss::kNow;
+  dot_->setPixmap(icon_pixmap(now ? QStringLiteral("bad") : QStringLiteral("record"),
+                              now                          ? theme.danger
+                              : shows_loss_ == Loss::kPast ? theme.warning
+                                                           : theme.accent,
+                              kDot, devicePixelRatioF()));
 }
 
 void RecordBanner::refresh() {
@@ -93,7 +97,7 @@ void RecordBanner::refresh() {
   if (isHidden()) {
     return;
   }
-  shows_loss_ = recording && losing();
+  shows_loss_ = recording ? loss() : Loss::kNone;
   show_dot();
   dot_->setVisible(recording);
   mark_->setVisible(recording);
@@ -104,10 +108,11 @@ void RecordBanner::refresh() {
                        ? tr("%1 at %2").arg(newest->text, format_clock_tenths(context_.markers().time_s(*newest)))
                        : QString());
   marker_->setVisible(newest != nullptr);
-  state_->setText(countdown > 0 ? tr("Recording begins in %n second(s)", nullptr, countdown)
-                  : finishing   ? tr("Closing the take")
-                  : shows_loss_
-                      ? tr("Recording, but samples are being lost")
+  state_->setText(countdown > 0               ? tr("Recording begins in %n second(s)", nullptr, countdown)
+                  : finishing                 ? tr("Closing the take")
+                  : shows_loss_ == Loss::kNow ? tr("Recording, but samples are being lost")
+                  : shows_loss_ == Loss::kPast
+                      ? tr("Recording; samples were lost")
                       : tr("Recording %1").arg(QString::fromStdString(live.recording_folder().stem().string())));
   refresh_time();
 }
@@ -118,7 +123,7 @@ void RecordBanner::refresh_time() {
   }
   const LiveModel& live = context_.live();
   const auto& snapshot = live.snapshot();
-  if (live.recording() && shows_loss_ != losing()) {
+  if (live.recording() && shows_loss_ != loss()) {
     refresh();
     return;
   }

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include "common/health_text.h"
 #include "common/studio_context.h"
 
 class QLabel;
@@ -26,13 +27,13 @@ class RecordBanner : public QWidget {
   void refresh();
   void refresh_time();
   void show_dot();
-  [[nodiscard]] bool losing() const;
+  [[nodiscard]] Loss loss() const;
 
   StudioContext& context_;
   CaptureModel& capture_;
   QLabel *dot_, *time_, *state_, *marker_;
   QPushButton *mark_, *stop_;
-  bool shows_loss_ = false;
+  Loss shows_loss_ = Loss::kNone;
 };
 
 }  // namespace limbwave::ui

@@ -46,8 +46,9 @@ StatusFact StatusFacts::record(const StatusInput& in) {
     fact.text = tr("closing the take");
     fact.detail = tr("The last samples are being written.");
   } else if (in.recording && live != nullptr) {
-    const bool losing = live->counters.overflows > 0 || live->counters.dropped_frames > 0;
-    fact.tone = losing ? Tone::kDanger : Tone::kGood;
+    const Loss loss = loss_of(*live);
+    const bool losing = loss != Loss::kNone;
+    fact.tone = loss == Loss::kNow ? Tone::kDanger : losing ? Tone::kWarning : Tone::kGood;
     fact.text = tr("REC %1").arg(format_clock_tenths(live->recorded_s));
     fact.detail =
         losing && live->box ? tr("Samples that were lost so far: %1, in %2 gaps. What follows keeps its time.")
@@ -57,7 +58,7 @@ StatusFact StatusFacts::record(const StatusInput& in) {
                        .arg(live->counters.overflows)
                  : tr("Recording. No sample has been lost.");
     if (losing) {
-      fact.text += QLatin1Char(' ') + tr("(losing samples)");
+      fact.text += QLatin1Char(' ') + (loss == Loss::kNow ? tr("(losing samples)") : tr("(samples were lost)"));
     }
   } else if (!in.problem.isEmpty()) {
     fact.tone = trouble(in);

@@ -15,7 +15,9 @@
 
 #include "body/rig.h"
 #include "common/core_text.h"
+#include "common/core_texts.h"
 #include "common/health_text.h"
+#include "common/shown_names.h"
 #include "decode/line_in.h"
 #include "solve/sensor_health.h"
 
@@ -187,6 +189,23 @@ TEST_F(German, NumbersNamesAndTextsWithinTexts) {
             QStringLiteral("120 Abtastwerte gingen verloren; Programme schließen, die den Rechner beschäftigen, oder "
                            "einen größeren Puffer der Soundkarte wählen"));
   EXPECT_EQ(core_text("something that nobody has translated"), QStringLiteral("something that nobody has translated"));
+}
+
+// Names in rigs and skeletons that we ship are read in German wherever they stand; others stay as they are.
+TEST_F(German, NamesOfShippedRigsAndBones) {
+  EXPECT_EQ(shown_name("left_hand"), QStringLiteral("linke Hand"));
+  EXPECT_EQ(shown_name("left hand"), QStringLiteral("linke Hand"));
+  EXPECT_EQ(shown_name("my_own bone"), QStringLiteral("my_own bone"));
+  EXPECT_EQ(shown_name(""), QString());
+  EXPECT_TRUE(
+      core_text("\"left hand\" was never heard: the filter did without it").contains(QStringLiteral("linke Hand")));
+  EXPECT_TRUE(
+      core_text("\"pelvis\", \"head\" and 3 more moved in the first second: the pose at the start is hardly known")
+          .contains(QStringLiteral("\"Becken\", \"Kopf\"")));
+  for (const char* name : kShippedNames) {
+    const QString german = shown_name(name);
+    EXPECT_TRUE(german != QString::fromUtf8(name)) << name;
+  }
 }
 
 TEST_F(German, TheHealthOfASensor) {

@@ -10,13 +10,10 @@
 
 namespace limbwave::ui::testing {
 
-class ExportChoicesTest : public QObject {
+class ExportChoicesTest : public QObject, protected ExportCase {
   Q_OBJECT
 
  private:
-  std::unique_ptr<FakeSolving> solving_;
-  std::unique_ptr<ExportStudio> studio_;
-
   /// With a take whose board keeps its own time.
   void open(double rate_hz = 60.0) {
     SolveServices services = solving_->services();
@@ -28,32 +25,16 @@ class ExportChoicesTest : public QObject {
       }
       return solve;
     };
-    studio_ = std::make_unique<ExportStudio>(std::move(services));
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->studio->window.get()));
+    QVERIFY(open_studio(std::move(services)));
     QVERIFY(studio_->open_take());
   }
-  void open_nothing() {
-    studio_ = std::make_unique<ExportStudio>(solving_->services());
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->studio->window.get()));
-  }
-  [[nodiscard]] QString chain(const char* name) const {
-    const QString file = studio_->studio->folder.filePath(QString::fromUtf8(name));
-    return write_chain(file.toStdString(), 0.0) ? file : QString();
-  }
-  [[nodiscard]] ExportModel& model() const { return studio_->model(); }
-  [[nodiscard]] QUndoStack& undo() const { return studio_->studio->context->undo_stack(); }
+  void open_nothing() { QVERIFY(open_studio(solving_->services())); }
   [[nodiscard]] QString rate() const { return studio_->find<QComboBox>("Frame rate")->currentText(); }
   [[nodiscard]] QString title() const { return studio_->studio->window->windowTitle(); }
 
  private Q_SLOTS:
-  void init() {
-    apply_theme(*qApp, ThemeKind::kDark);
-    solving_ = std::make_unique<FakeSolving>();
-  }
-  void cleanup() {
-    studio_.reset();
-    solving_.reset();
-  }
+  void init() { set_up(); }
+  void cleanup() { tear_down(); }
 
   void usual_rates_are_proposed() {
     const std::vector<std::pair<double, double>> expected{

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
+#include <QUndoStack>
 #include <cstdlib>
 #include <filesystem>
 
@@ -142,6 +143,34 @@ struct ExportStudio {
   std::unique_ptr<SolveStudio> studio;
 };
 
+/// What every test of the page has: made-up solving and, once it is opened, a studio in front of it.
+class ExportCase {
+ protected:
+  void set_up() {
+    apply_theme(*qApp, ThemeKind::kDark);
+    solving_ = std::make_unique<FakeSolving>();
+  }
+  void tear_down() {
+    studio_.reset();
+    solving_.reset();
+  }
+  /// Without a take; another size than the usual where one is given.
+  bool open_studio(SolveServices services, QSize size = {}) {
+    studio_ = std::make_unique<ExportStudio>(std::move(services));
+    if (size.isValid()) {
+      studio_->studio->window->resize(size);
+    }
+    return QTest::qWaitForWindowExposed(studio_->studio->window.get());
+  }
+  [[nodiscard]] ExportModel& model() const { return studio_->model(); }
+  [[nodiscard]] QUndoStack& undo() const { return studio_->studio->context->undo_stack(); }
+  /// A chain of three bones in a file beside the takes.
+  [[nodiscard]] QString chain(const char* name) const;
+
+  std::unique_ptr<FakeSolving> solving_;
+  std::unique_ptr<ExportStudio> studio_;
+};
+
 /// A recorded walk of a whole body (31 joints); empty where the recordings are not there.
 inline QString recorded_motion(const QString& name = QStringLiteral("02_01.bvh")) {
   const char* data = std::getenv("LIMBWAVE_DATA");
@@ -164,6 +193,11 @@ inline bool write_chain(const std::filesystem::path& file, double metres, int fr
             std::to_string(2 * i) + " 0 0 0 " + std::to_string(5 * i) + "\n";
   }
   return write_file(file, text).ok();
+}
+
+inline QString ExportCase::chain(const char* name) const {
+  const QString file = studio_->studio->folder.filePath(QString::fromUtf8(name));
+  return write_chain(file.toStdString(), 0.0) ? file : QString();
 }
 
 }  // namespace limbwave::ui::testing

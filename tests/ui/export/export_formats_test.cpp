@@ -11,12 +11,10 @@
 
 namespace limbwave::ui::testing {
 
-class ExportFormatsTest : public QObject {
+class ExportFormatsTest : public QObject, protected ExportCase {
   Q_OBJECT
 
  private:
-  std::unique_ptr<FakeSolving> solving_;
-  std::unique_ptr<ExportStudio> studio_;
   std::unique_ptr<QTemporaryDir> home_;
 
   static Result<motion::Clip> read(const QString& file) {
@@ -44,8 +42,7 @@ class ExportFormatsTest : public QObject {
     return Eigen::Vector3d::Constant(NAN);
   }
   void open_motion(const QString& motion) {
-    studio_ = std::make_unique<ExportStudio>(solving_->services());
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->studio->window.get()));
+    QVERIFY(open_studio(solving_->services()));
     QVERIFY(QFile::copy(motion, studio_->studio->folder.filePath(QFileInfo(motion).fileName())));
     QVERIFY(studio_->open_animation(studio_->studio->folder.filePath(QFileInfo(motion).fileName())));
   }
@@ -263,8 +260,7 @@ class ExportFormatsTest : public QObject {
   }
 
   void several_actors_go_into_one_file() {
-    studio_ = std::make_unique<ExportStudio>(solving_->services());
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->studio->window.get()));
+    QVERIFY(open_studio(solving_->services()));
     for (const char* name : {"a.bvh", "b.bvh"}) {
       QVERIFY(write_chain(studio_->path(QString::fromLatin1(name)), name[0] == 'a' ? 0.0 : 1.0));
     }

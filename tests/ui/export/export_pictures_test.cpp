@@ -10,18 +10,13 @@
 
 namespace limbwave::ui::testing {
 
-class ExportPicturesTest : public QObject {
+class ExportPicturesTest : public QObject, protected ExportCase {
   Q_OBJECT
 
  private:
-  std::unique_ptr<FakeSolving> solving_;
-  std::unique_ptr<ExportStudio> studio_;
-
   void open(int width = 1440, int height = 900) {
-    studio_ = std::make_unique<ExportStudio>(solving_->services());
     const int scale = qRound(qApp->devicePixelRatio());
-    studio_->studio->window->resize(std::min(width, 1600 / scale), std::min(height, 1000 / scale));
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->studio->window.get()));
+    QVERIFY(open_studio(solving_->services(), {std::min(width, 1600 / scale), std::min(height, 1000 / scale)}));
     const QString motion = recorded_motion();
     if (motion.isEmpty()) {
       QVERIFY(studio_->open_take());
@@ -62,14 +57,8 @@ class ExportPicturesTest : public QObject {
   }
 
  private Q_SLOTS:
-  void init() {
-    apply_theme(*qApp, ThemeKind::kDark);
-    solving_ = std::make_unique<FakeSolving>();
-  }
-  void cleanup() {
-    studio_.reset();
-    solving_.reset();
-  }
+  void init() { set_up(); }
+  void cleanup() { tear_down(); }
 
   void dark() {
     open();

@@ -15,16 +15,12 @@ namespace limbwave::ui::testing {
 
 using interchange::ExportReport;
 
-class ExportWorkspaceTest : public QObject {
+class ExportWorkspaceTest : public QObject, protected ExportCase {
   Q_OBJECT
 
  private:
-  std::unique_ptr<FakeSolving> solving_;
-  std::unique_ptr<ExportStudio> studio_;
-
   void open(SolveServices services) {
-    studio_ = std::make_unique<ExportStudio>(std::move(services));
-    QVERIFY(QTest::qWaitForWindowExposed(studio_->studio->window.get()));
+    QVERIFY(open_studio(std::move(services)));
     QVERIFY(studio_->open_take());
   }
   void open() { open(solving_->services()); }
@@ -42,14 +38,8 @@ class ExportWorkspaceTest : public QObject {
   QUrl opened_;
 
  private Q_SLOTS:
-  void init() {
-    apply_theme(*qApp, ThemeKind::kDark);
-    solving_ = std::make_unique<FakeSolving>();
-  }
-  void cleanup() {
-    studio_.reset();
-    solving_.reset();
-  }
+  void init() { set_up(); }
+  void cleanup() { tear_down(); }
 
   void without_a_take_it_says_so() {
     studio_ = std::make_unique<ExportStudio>(solving_->services());

@@ -19,6 +19,26 @@ TEST(Quality, GoodIsSaidShortly) {
   EXPECT_TRUE(verdict.remedy.isEmpty());
 }
 
+// A driver box has no line with cycles: nothing is said about one.
+TEST(Quality, TheBodyFilterIsJudgedByItsFindings) {
+  solve::QualityReport report;
+  report.take_seconds = 12.0;
+  EXPECT_TRUE(is_by_body_filter(report));
+  EXPECT_FALSE(is_by_body_filter(good()));
+  EXPECT_EQ(overall_verdict(report).tone, Tone::kGood) << overall_verdict(report).text.toStdString();
+  report.diagnostics.push_back({Severity::kInfo, "body.foot-stands", "the left foot stood", "", ""});
+  EXPECT_EQ(overall_verdict(report).tone, Tone::kGood);
+  report.diagnostics.push_back({Severity::kWarning, "body.board-dead", "the hand was never heard", "check it", ""});
+  Verdict verdict = overall_verdict(report);
+  EXPECT_EQ(verdict.tone, Tone::kWarning);
+  EXPECT_TRUE(verdict.text.contains(QStringLiteral("never heard")));
+  EXPECT_EQ(verdict.remedy, QStringLiteral("Check it"));
+  report.diagnostics.push_back({Severity::kError, "body.blackout", "nothing was heard", "check the box", ""});
+  verdict = overall_verdict(report);
+  EXPECT_EQ(verdict.tone, Tone::kDanger);
+  EXPECT_EQ(verdict.remedy, QStringLiteral("Check the box"));
+}
+
 TEST(Quality, TheWorstPartIsToldWithItsRemedy) {
   solve::QualityReport report = good();
   report.sensors[1].mean_norm_g = 1.09;

@@ -48,6 +48,35 @@ TEST_F(Poses, HeadingsTurnAsWhenTheyAreWrittenIntoTheClip) {
   }
 }
 
+// A body filter knows joints of bones without sensors, too: they are not straightened, neither seen nor written.
+TEST_F(Poses, BonesWithoutSensorsKeepTheirBend) {
+  const std::size_t bare = 2, parent = 1;
+  ASSERT_EQ(take.info.skeleton.segments[bare].parent, static_cast<int>(parent));
+  sensed[bare] = false;
+  const double t = 1.5;
+  const auto before = motion::pose_at(solved.clip, t);
+  const body::Quaterniond bend = before[parent].R_WL.conjugate() * before[bare].R_WL;
+  ASSERT_GT(bend.angularDistance(take.info.skeleton.segments[bare].R_PL_rest), 0.05);
+  std::vector<body::SegmentPose> poses;
+  edited_pose(
+      solved.clip, solved.clip.skeleton, sensed, [](int, double) { return 0.0; }, t, poses);
+  EXPECT_LT(difference(poses, before), 1e-12);
+  edited_pose(
+      solved.clip, solved.clip.skeleton, sensed,
+      [&](int segment, double) { return segment == static_cast<int>(parent) ? 0.7 : 0.0; }, t, poses);
+  EXPECT_NEAR(poses[parent].R_WL.angularDistance(before[parent].R_WL), 0.7, 1e-9);
+  EXPECT_LT((poses[parent].R_WL.conjugate() * poses[bare].R_WL).angularDistance(bend), 1e-9);
+  std::vector<std::vector<solve::HeadingKey>> keys(take.info.skeleton.segments.size());
+  keys[parent] = {{0.0, 0.7}};
+  std::vector<int> segments;
+  for (std::size_t s = 0; s < sensed.size(); ++s) {
+    segments.push_back(sensed[s] ? static_cast<int>(s) : -1);
+  }
+  solve::Solve written = solved;
+  solve::apply_headings(written, segments, keys);
+  EXPECT_LT(difference(poses, motion::pose_at(written.clip, t)), 1e-9);
+}
+
 TEST_F(Poses, LengthsMoveTheChildrenOnly) {
   const body::Skeleton longer =
       body::with_length(solved.clip.skeleton, 1, solved.clip.skeleton.segments[1].length + 0.1);

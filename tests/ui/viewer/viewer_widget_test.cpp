@@ -95,6 +95,39 @@ class ViewerWidgetTest : public QObject {
   }
 
  private Q_SLOTS:
+  // A live figure walks where it likes: the camera goes along, unless somebody looks closely at a part of it.
+  void a_figure_that_walks_away_is_followed_when_asked_for() {
+    show_arm(true);
+    const auto walked = [this](double metres) {
+      std::vector<body::SegmentPose> poses = raised(skeleton_);
+      for (body::SegmentPose& pose : poses) {
+        pose.p_WL.x() += metres;
+        pose.p_WL.y() += metres;
+      }
+      return poses;
+    };
+    const Eigen::Vector3d target = viewer_->camera().target();
+    for (double way = 0.0; way < 20.0; way += 0.05) {
+      viewer_->set_pose(walked(way));
+    }
+    QCOMPARE((viewer_->camera().target() - target).norm(), 0.0);
+    viewer_->set_follows(true);
+    viewer_->set_pose(walked(20.0));
+    const double distance = viewer_->camera().distance();
+    for (double way = 20.0; way < 24.0; way += 0.02) {
+      viewer_->set_pose(walked(way));
+      const QPoint pixel = pixel_of(*viewer_, viewer_->pose().front().p_WL);
+      QVERIFY2(viewer_->rect().contains(pixel), "it never leaves the picture");
+    }
+    QCOMPARE(viewer_->camera().distance(), distance);
+    // The hand alone fills the picture: that is left alone.
+    viewer_->select(static_cast<int>(skeleton_.segments.size()) - 1);
+    viewer_->frame_selection();
+    const Eigen::Vector3d close = viewer_->camera().target();
+    viewer_->set_pose(walked(24.0));
+    QVERIFY((viewer_->camera().target() - close).norm() < 1e-12);
+  }
+
   void initTestCase() {
     QVERIFY2(opengl_available(), "this machine draws no OpenGL: install libgl1-mesa-dri");
     QVERIFY(!skeleton_.segments.empty());

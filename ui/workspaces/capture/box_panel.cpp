@@ -1,6 +1,9 @@
 #include "workspaces/capture/box_panel.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -10,9 +13,12 @@
 #include "common/format.h"
 #include "common/theme.h"
 #include "solve/live_body_session.h"
+#include "take/box_opening.h"
 
 namespace limbwave::ui {
 namespace {
+
+constexpr auto kChoose = "choose";  // no folder of a take
 
 QDoubleSpinBox* spin(const QString& name, double least, double most, double step, int decimals, const QString& unit,
                      QWidget* parent) {
@@ -23,6 +29,7 @@ QDoubleSpinBox* spin(const QString& name, double least, double most, double step
   box->setDecimals(decimals);
   box->setSuffix(unit);
   box->setKeyboardTracking(false);
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   return box;
 }
 
@@ -37,7 +44,8 @@ BoxPanel::BoxPanel(StudioContext& context, CaptureModel& model, QWidget* parent)
       advice_(new QLabel(this)),
       temperature_(spin(QStringLiteral("box_temperature"), -30.0, 60.0, 0.5, 1, tr(" °C"), this)),
       humidity_(spin(QStringLiteral("box_humidity"), 0.0, 100.0, 5.0, 0, tr(" %"), this)),
-      height_(spin(QStringLiteral("box_height"), 0.0, 2.6, 0.01, 2, tr(" m"), this)) {
+      height_(spin(QStringLiteral("box_height"), 0.0, 2.6, 0.01, 2, tr(" m"), this)),
+      sources_(new QComboBox(this)) {
   setObjectName(QStringLiteral("box_panel"));
   QFont bold = state_->font();
   bold.setWeight(QFont::DemiBold);
@@ -63,7 +71,21 @@ BoxPanel::BoxPanel(StudioContext& context, CaptureModel& model, QWidget* parent)
   form->addRow(dim_label(tr("Air"), this), temperature_);
   form->addRow(dim_label(tr("Humidity"), this), humidity_);
   form->addRow(dim_label(tr("Height"), this), height_);
+  sources_->setObjectName(QStringLiteral("box_sources"));
+  sources_->setAccessibleName(tr("Delays of the sources"));
+  sources_->setToolTip(
+      tr("Nominal: every source fires when its slot begins. A take of this box in which they were measured tells "
+         "by how much each is late, and its phase and level."));
+  sources_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  sources_->setMinimumContentsLength(10);
+  form->addRow(dim_label(tr("Sources"), this), sources_);
+  connect(sources_, &QComboBox::activated, this, &BoxPanel::choose_sources);
   body()->addLayout(form);
+  QLabel* learn = link_label(tr("What the words mean, and what to do"), this);
+  learn->setObjectName(QStringLiteral("learn_box"));
+  body()->addWidget(learn);
+  connect(learn, &QLabel::linkActivated, this,
+          [this] { context_.reveal(QStringLiteral("manual"), QStringLiteral("driver-box")); });
   for (QDoubleSpinBox* box : {temperature_, humidity_, height_}) {
     connect(box, &QDoubleSpinBox::valueChanged, this, &BoxPanel::apply);
   }
@@ -84,9 +106,53 @@ void BoxPanel::refresh_setup() {
   height_->setValue(setup.height_m);
   const LiveModel& live = context_.live();
   const bool free = !live.recording() && !live.starting() && !live.finishing();
-  for (QDoubleSpinBox* box : {temperature_, humidity_, height_}) {
+  for (QWidget* box : std::initializer_list<QWidget*>{temperature_, humidity_, height_, sources_}) {
     box->setEnabled(free);
   }
+  const QString take = QString::fromStdString(setup.ranging_take);
+  sources_->clear();
+  sources_->addItem(tr("Nominal delays"), QString());
+  if (!take.isEmpty()) {
+    sources_->addItem(tr("As in “%1”").arg(QFileInfo(take).completeBaseName()), take);
+    sources_->setItemData(1, take, Qt::ToolTipRole);
+    sources_->setCurrentIndex(1);
+  }
+  sources_->addItem(tr("As in a take…"), QLatin1String(kChoose));
+}
+
+void BoxPanel::choose_sources(int index) {
+  const QString chosen = sources_->itemData(index).toString();
+  if (chosen != QLatin1String(kChoose)) {
+    DeviceSetup setup = model_.device_setup();
+    setup.ranging_take = chosen.toStdString();
+    model_.set_device_setup(setup);
+    return;
+  }
+  refresh_setup();  // Until it is read, what was chosen before is in use.
+  const QString folder = QFileDialog::getExistingDirectory(window(), tr("A take of this box with measured sources"),
+                                                           context_.takes_folder());
+  if (!folder.isEmpty()) {
+    use_take(folder);
+  }
+}
+
+void BoxPanel::use_take(const QString& folder) {
+  using Read = calibrate::RangingCalibration;
+  context_.jobs().compute<Read>(
+      tr("Reading %1").arg(QFileInfo(folder).completeBaseName()), this,
+      [folder = folder.toStdString(), rig = model_.rig().toStdString()](const Progress&) -> Result<Read> {
+        Result<body::Rig> loaded = body::load_rig(rig);
+        return loaded ? take::ranging_of(folder, *loaded) : loaded.error();
+      },
+      [this, folder](const Result<Read>& read) {
+        if (!read) {
+          context_.notifications().post_error(tr("The sources stay as they are"), read.error());
+          return;
+        }
+        DeviceSetup setup = model_.device_setup();
+        setup.ranging_take = folder.toStdString();
+        model_.set_device_setup(setup);
+      });
 }
 
 void BoxPanel::apply() {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/format.h"
+#include "common/shown_names.h"
 #include "workspaces/capture/capture_commands.h"
 
 namespace limbwave::ui {
@@ -84,7 +85,7 @@ void CaptureModel::load_rig_names() {
           context_.notifications().post_error(tr("Rig %1").arg(rig), settings.error());
         } else {
           for (const body::Accelerometer& sensor : settings.value().rig.accelerometers) {
-            sensor_names_.append(QString::fromStdString(sensor.name));
+            sensor_names_.append(shown_name(sensor.name));
           }
           slot_count_ = settings.value().rig.line_in.slots;
         }
@@ -98,7 +99,7 @@ QStringList CaptureModel::sensor_names() const {
   }
   QStringList names;  // Sensors may be worn elsewhere than the rig's file has them.
   for (const body::Accelerometer& sensor : context_.live().settings().rig.accelerometers) {
-    names.append(QString::fromStdString(sensor.name));
+    names.append(shown_name(sensor.name));
   }
   return names;
 }

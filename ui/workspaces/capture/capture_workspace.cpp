@@ -214,8 +214,8 @@ void CaptureWorkspace::follow_state() {
     empty_->set_texts(tr("The sound system does not answer"), model_.search_problem());
   } else if (others) {
     empty_->set_texts(tr("Choose a device"),
-                      tr("Choose above the line input that the board is plugged into. Levels and signals show at once; "
-                         "nothing is recorded before you say so."));
+                      tr("Choose above the line input that the board is plugged into, or the driver box. Levels and "
+                         "signals show at once; nothing is recorded before you say so."));
   } else {
     empty_->set_texts(tr("No sound card with a stereo input was found"),
                       tr("Plug in a sound card with a stereo line input and look again. A microphone input is mono and "

@@ -115,13 +115,14 @@ QString format_words(const acquire::StreamFormat& format, const DeviceSetup& set
 DeviceSetup remembered_setup(QSettings& settings, const acquire::DeviceInfo& device) {
   const QStringList parts = settings.value(settings_key(device)).toStringList();
   DeviceSetup setup;
-  if (parts.size() != 4 && parts.size() != 7) {
+  if (parts.size() != 4 && parts.size() != 7 && parts.size() != 8) {
     return setup;
   }
-  if (parts.size() == 7) {
+  if (parts.size() >= 7) {
     setup.temperature_c = std::clamp(parts[4].toDouble(), -30.0, 60.0);
     setup.humidity = std::clamp(parts[5].toDouble(), 0.0, 100.0);
     setup.height_m = std::clamp(parts[6].toDouble(), 0.0, 2.6);
+    setup.ranging_take = parts.value(7).toStdString();
   }
   if (const double rate = parts[0].toDouble(); offers_rate(device, rate)) {
     setup.rate_hz = rate;
@@ -144,7 +145,7 @@ void remember_setup(QSettings& settings, const acquire::DeviceInfo& device, cons
       QStringList{QString::number(setup.rate_hz, 'g', 12),
                   QString::fromLatin1(type.data(), static_cast<qsizetype>(type.size())), QString::number(setup.left),
                   QString::number(setup.right), QString::number(setup.temperature_c), QString::number(setup.humidity),
-                  QString::number(setup.height_m)});
+                  QString::number(setup.height_m), QString::fromStdString(setup.ranging_take)});
 }
 
 }  // namespace limbwave::ui

@@ -2,15 +2,22 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
 #include "common/core_text.h"
 #include "common/format.h"
 #include "common/theme.h"
+#include "solve/live_body_session.h"
 #include "take/markers.h"
 
 namespace limbwave::ui {
+namespace {
+
+constexpr qsizetype kTroubles = 3;  // that are told beside the picture
+
+}  // namespace
 
 OverviewPanel::OverviewPanel(StudioContext& context, QWidget* parent)
     : QWidget(parent), context_(context), title_(new ElidedLabel({}, this)), view_(new OverviewView(this)) {
@@ -27,8 +34,12 @@ OverviewPanel::OverviewPanel(StudioContext& context, QWidget* parent)
   connect(&context_.document(), &TakeDocument::events_changed, this, &OverviewPanel::show_marks);
   connect(&context_.document(), &TakeDocument::described, this, [this] { follow_take(false); });
   connect(&context_.markers(), &MarkerModel::changed, this, &OverviewPanel::show_marks);
-  connect(&context_.selection(), &Selection::changed, this,
-          [this] { view_->set_selected_mark(context_.selection().marker()); });
+  connect(&context_.selection(), &Selection::changed, this, [this] {
+    view_->set_selected_mark(context_.selection().marker());
+    view_->set_selected_wire(context_.selection().index_of(SelectionKind::kSensor));
+  });
+  connect(view_, &OverviewView::wire_clicked, this,
+          [this](int wire) { context_.selection().select(SelectionKind::kSensor, wire); });
   connect(view_, &OverviewView::mark_selected, this,
           [this](std::int64_t number) { context_.selection().select_marker(number); });
   connect(view_, &OverviewView::mark_moved, this, &OverviewPanel::move_mark);
@@ -55,6 +66,10 @@ void OverviewPanel::follow_recording() {
     title_->set_text(tr("What is being recorded"));
     show();
   } else if (!context_.live().recording()) {
+    if (growing_ && !growing_->box.empty()) {
+      recorded_ = growing_;  // It knows more of the wires than their samples tell at a glance.
+      recorded_folder_ = context_.live().recording_folder();
+    }
     growing_.reset();  // The view keeps its picture until the take is read.
   }
 }
@@ -88,6 +103,10 @@ void OverviewPanel::move_mark(std::int64_t number, double time_s) {
 
 void OverviewPanel::append_new_samples() {
   const auto& snapshot = context_.live().snapshot();
+  if (growing_ && snapshot && snapshot->box) {
+    append_wires(*snapshot);
+    return;
+  }
   if (!growing_ || !snapshot || snapshot->scope.size() < 2) {
     return;
   }
@@ -114,6 +133,46 @@ void OverviewPanel::append_new_samples() {
   view_->grown();
 }
 
+void OverviewPanel::append_wires(const solve::LiveSnapshot& snapshot) {
+  if (!snapshot.recording) {
+    return;
+  }
+  growing_->rate_hz = snapshot.format.rate.hz;
+  growing_->frames = std::llround(snapshot.recorded_s * growing_->rate_hz);
+  growing_->box.add(snapshot.recorded_s, snapshot.box->wires,
+                    static_cast<double>(snapshot.box->counters.lost_frames) / growing_->rate_hz);
+  show_troubles(tr("What is being recorded"), growing_->box);
+  view_->grown();
+}
+
+void OverviewPanel::show_troubles(const QString& what, const BoxHistory& box) {
+  const QStringList troubles = box.troubles();
+  const QString words = box.empty()          ? QString()
+                        : troubles.isEmpty() ? tr("nothing was lost")
+                                             : troubles.mid(0, kTroubles).join(QStringLiteral("; ")) +
+                                                   (troubles.size() > kTroubles ? tr(" and more") : QString());
+  const QString text = words.isEmpty() ? what : what + QStringLiteral("  ·  ") + words;
+  title_->set_text(text);
+  title_->setToolTip(troubles.join(QLatin1Char('\n')));
+  view_->setAccessibleDescription(words);
+}
+
+void OverviewPanel::show_overview(std::shared_ptr<const TakeOverview> overview) {
+  shown_ = std::move(overview);
+  view_->set_overview(shown_);
+  show_facts();
+}
+
+void OverviewPanel::show_facts() {
+  if (shown_ && !shown_->box.empty()) {
+    show_troubles(facts_, shown_->box);
+  } else {
+    title_->set_text(facts_);
+    title_->setToolTip({});
+    view_->setAccessibleDescription({});
+  }
+}
+
 void OverviewPanel::follow_take(bool other) {
   const auto& take = context_.document().take();
   if (growing_) {
@@ -121,7 +180,8 @@ void OverviewPanel::follow_take(bool other) {
   }
   setVisible(take != nullptr);
   if (!take) {
-    view_->set_overview(nullptr);
+    facts_.clear();
+    show_overview(nullptr);
     return;
   }
   const take::TakeInfo& info = take->info;
@@ -132,12 +192,16 @@ void OverviewPanel::follow_take(bool other) {
       facts.append(QString::fromStdString(text));
     }
   }
-  title_->set_text(facts.join(QStringLiteral("  ·  ")));
+  facts_ = facts.join(QStringLiteral("  ·  "));
   show_marks();
   if (!other) {
+    show_facts();
     return;
   }
-  view_->set_overview(nullptr);
+  show_overview(recorded_ && recorded_folder_ == take->folder ? recorded_ : nullptr);
+  if (shown_) {
+    return;
+  }
   if (job_ != nullptr) {
     job_->cancel();
   }
@@ -150,7 +214,7 @@ void OverviewPanel::follow_take(bool other) {
           return;
         }
         if (result) {
-          view_->set_overview(std::move(result).value());
+          show_overview(std::move(result).value());
         } else {
           context_.notifications().post_error(tr("The signal cannot be shown"), result.error());
         }

@@ -26,13 +26,22 @@ class OverviewPanel : public QWidget {
   void follow_take(bool other);
   void follow_recording();
   void append_new_samples();
+  void append_wires(const solve::LiveSnapshot& snapshot);
+  void show_overview(std::shared_ptr<const TakeOverview> overview);
+  void show_facts();
+  /// Says in words what the rows of the wires show.
+  void show_troubles(const QString& what, const BoxHistory& box);
   StudioContext& context_;
   ElidedLabel* title_;
   OverviewView* view_;
   Job* job_ = nullptr;
-  std::shared_ptr<TakeOverview> growing_;  ///< Of the running recording, else null.
-  double next_sample_ = -1.0;              ///< Of the stream: the first one that `growing_` has not seen.
-  QElapsedTimer moved_;                    ///< Since a marker was moved last.
+  std::shared_ptr<TakeOverview> growing_;         ///< Of the running recording, else null.
+  std::shared_ptr<const TakeOverview> shown_;     ///< Of the open take.
+  std::shared_ptr<const TakeOverview> recorded_;  ///< Of a driver box, as it was seen while it was recorded,
+  std::filesystem::path recorded_folder_;         ///< and in which take.
+  QString facts_;                                 ///< Of the open take.
+  double next_sample_ = -1.0;                     ///< Of the stream: the first one that `growing_` has not seen.
+  QElapsedTimer moved_;                           ///< Since a marker was moved last.
   std::int64_t moved_number_ = 0;
   int gesture_ = 0;
 };

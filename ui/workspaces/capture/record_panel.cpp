@@ -8,6 +8,7 @@
 
 #include "calibration/calibration_words.h"
 #include "common/format.h"
+#include "common/health_text.h"
 #include "common/icons.h"
 #include "common/theme.h"
 
@@ -164,8 +165,10 @@ void RecordPanel::refresh_time() {
   time_->setText(countdown > 0 ? QString::number(countdown)
                                : format_clock_tenths(recording && snapshot ? snapshot->recorded_s : 0.0));
   time_->setForegroundRole(recording || countdown > 0 ? QPalette::Text : QPalette::PlaceholderText);
-  if (recording && snapshot && snapshot->counters.overflows > 0) {
-    state_->setText(tr("Recording, but samples are being lost"));
+  const Loss loss = recording && snapshot ? loss_of(*snapshot) : Loss::kNone;
+  if (loss != Loss::kNone) {
+    state_->setText(loss == Loss::kNow ? tr("Recording, but samples are being lost")
+                                       : tr("Recording; samples were lost"));
   } else {
     state_->setText(aside                                 ? tr("A calibration is under way")
                     : recording                           ? tr("Recording")

@@ -12,6 +12,7 @@
 #include "common/core_services.h"
 #include "common/format.h"
 #include "common/icons.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 #include "workspaces/capture/board_dialog.h"
@@ -139,9 +140,9 @@ void SourceBar::fill() {
     listed_rigs_ = wanted_rigs;
     rigs_->clear();
     for (const RigChoice& rig : rigs) {
-      rigs_->addItem(QString::fromStdString(rig.title), QString::fromStdString(rig.name));
+      rigs_->addItem(shown_name(rig.title), QString::fromStdString(rig.name));
       rigs_->setItemData(rigs_->count() - 1,
-                         tr("%1 (file %2)").arg(QString::fromStdString(rig.title), QString::fromStdString(rig.name)),
+                         tr("%1 (file %2)").arg(shown_name(rig.title), QString::fromStdString(rig.name)),
                          Qt::ToolTipRole);
     }
   }

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 #include "timeline/timeline_layout.h"
 #include "workspaces/solve/quality_text.h"
@@ -172,12 +173,12 @@ void BoneCard::show_skeleton() {
   }
   bool same = bones_->count() == static_cast<int>(segments.size());
   for (int i = 0; same && i < bones_->count(); ++i) {
-    same = bones_->itemText(i) == QString::fromStdString(segments[static_cast<std::size_t>(i)].name);
+    same = bones_->itemText(i) == shown_name(segments[static_cast<std::size_t>(i)].name);
   }
   if (!same) {
     bones_->clear();
     for (const body::Segment& segment : segments) {
-      bones_->addItem(QString::fromStdString(segment.name));
+      bones_->addItem(shown_name(segment.name));
     }
   }
   bones_->setPlaceholderText(segments.empty() ? tr("No skeleton yet") : tr("Choose a bone"));
@@ -225,6 +226,11 @@ void BoneCard::show_heading() {
   } else if (!turns) {
     hint_->setText(live || model_.solve() ? tr("No sensor is worn here: it follows its parent.")
                                           : tr("Rotations can be keyed once the take is solved."));
+  } else if (!model_.shows_inclination()) {
+    hint_->setText(live ? tr("Turns the bone about the vertical, beyond what its sensors say; what hangs on it without "
+                             "sensors follows. It holds from now on.")
+                        : tr("Turns the bone about the vertical, beyond what its sensors say; what hangs on it without "
+                             "sensors follows. Turning it sets a key at the playhead."));
   } else if (!live) {
     hint_->setText(tr("About the vertical, which gravity cannot tell. Turning it sets a key at the playhead."));
   } else {

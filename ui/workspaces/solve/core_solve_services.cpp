@@ -1,4 +1,5 @@
 #include "solve/body_solve.h"
+#include "solve/compose.h"
 #include "workspaces/solve/solve_services.h"
 
 namespace limbwave::ui {
@@ -15,7 +16,11 @@ SolveServices core_solve_services() {
     body.name = settings.name;
     body.smooth = true;
     body.root = solve::usual_root(take);
-    return solve::solve_sensors(take, body, progress);
+    Result<solve::Solve> solved = solve::solve_sensors(take, body, progress);
+    if (solved) {
+      solve::apply_headings(*solved, solve::sensor_segments(take.info.rig, solved->clip.skeleton), settings.headings);
+    }
+    return solved;
   };
   services.save = solve::save_solve;
   services.load = solve::load_solve;

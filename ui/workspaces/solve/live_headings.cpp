@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/shown_names.h"
+
 namespace limbwave::ui {
 
 namespace {
@@ -174,7 +176,7 @@ bool LiveHeadings::set(int segment, double heading, int gesture) {
   const double now = recorded_s();
   const Turn turn{++turn_ids_, segment, now, now, values_[i], heading};
   context_.undo_stack().push(
-      new TurnLiveCommand(*this, turn, tr("turn %1 live").arg(QString::fromStdString(names_[i])), gesture, recording_));
+      new TurnLiveCommand(*this, turn, tr("turn %1 live").arg(shown_name(names_[i])), gesture, recording_));
   return true;
 }
 

@@ -3,8 +3,10 @@
 #include <QGridLayout>
 #include <algorithm>
 
+#include "base/units.h"
 #include "common/format.h"
 #include "common/icons.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 
 namespace limbwave::ui {
@@ -98,6 +100,52 @@ void QualityCard::rebuild() {
   const Verdict headline = overall_verdict(report, model_.evaluation() ? &*model_.evaluation() : nullptr);
   add_verdict(layout, headline, true, content);
 
+  if (is_by_body_filter(report)) {
+    add_uncertainty(layout, content);
+  } else {
+    add_sensors(layout, report, headline, content);
+  }
+  const std::size_t shown = std::min(report.diagnostics.size(), kMostFindings);
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (const Verdict verdict = diagnostic_verdict(report.diagnostics[i]); verdict.text != headline.text) {
+      add_verdict(layout, verdict, false, content);
+    }
+  }
+  if (report.diagnostics.size() > shown) {
+    layout->addWidget(
+        dim_label(tr("and %n more finding(s)", nullptr, static_cast<int>(report.diagnostics.size() - shown)), content));
+  }
+  QLabel* times =
+      dim_label(tr("%1 of take; decoded in %2 s, solved in %3 s")
+                    .arg(format_clock_tenths(report.take_seconds), locale().toString(report.decode_seconds, 'f', 2),
+                         locale().toString(report.solve_seconds, 'f', 2)),
+                content);
+  times->setWordWrap(true);
+  layout->addWidget(times);
+}
+
+// How sure the filter is of the joints, on average over the take.
+void QualityCard::add_uncertainty(QVBoxLayout* layout, QWidget* content) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const std::vector<float>& joints : model_.solve()->uncertainty.joint) {
+    for (const float sigma : joints) {
+      sum += static_cast<double>(sigma);
+      count += sigma > 0.0F ? 1U : 0U;
+    }
+  }
+  if (count > 0) {
+    QLabel* label = dim_label(tr("Joints ± %1° on average (1 σ, by the filter itself)")
+                                  .arg(locale().toString(degrees(sum / static_cast<double>(count)), 'f', 1)),
+                              content);
+    label->setWordWrap(true);
+    layout->addWidget(label);
+  }
+}
+
+// The accelerometers of a sound card's board, and its line.
+void QualityCard::add_sensors(QVBoxLayout* layout, const solve::QualityReport& report, const Verdict& headline,
+                              QWidget* content) {
   QGridLayout* grid = table({tr("Sensor"), tr("usable"), tr("trusted"), tr("at rest")}, content);
   int line = 1;
   for (const solve::SensorQuality& sensor : report.sensors) {
@@ -105,7 +153,7 @@ void QualityCard::rebuild() {
     auto* name = new QHBoxLayout;
     name->setSpacing(2);
     name->addWidget(tone_label(verdict.tone, content));
-    auto* label = new ElidedLabel(QString::fromStdString(sensor.sensor), content);
+    auto* label = new ElidedLabel(shown_name(sensor.sensor), content);
     label->setToolTip(verdict.text);
     name->addWidget(label, 1);
     grid->addLayout(name, line, 0);
@@ -137,21 +185,6 @@ void QualityCard::rebuild() {
     label->setIndent(kToneIcon + 8);
     layout->addWidget(label);
   }
-  const std::size_t shown = std::min(report.diagnostics.size(), kMostFindings);
-  for (std::size_t i = 0; i < shown; ++i) {
-    add_verdict(layout, diagnostic_verdict(report.diagnostics[i]), false, content);
-  }
-  if (report.diagnostics.size() > shown) {
-    layout->addWidget(
-        dim_label(tr("and %n more finding(s)", nullptr, static_cast<int>(report.diagnostics.size() - shown)), content));
-  }
-  QLabel* times =
-      dim_label(tr("%1 of take; decoded in %2 s, solved in %3 s")
-                    .arg(format_clock_tenths(report.take_seconds), locale().toString(report.decode_seconds, 'f', 2),
-                         locale().toString(report.solve_seconds, 'f', 2)),
-                content);
-  times->setWordWrap(true);
-  layout->addWidget(times);
 }
 
 TruthCard::TruthCard(SolveModel& model, QWidget* parent) : Card(tr("Against the truth"), parent), model_(model) {
@@ -181,7 +214,7 @@ void TruthCard::rebuild() {
       continue;
     }
     const evaluate::ErrorStatistics& error = found->second;
-    grid->addWidget(new ElidedLabel(QString::fromStdString(segment.name), content), line, 0);
+    grid->addWidget(new ElidedLabel(shown_name(segment.name), content), line, 0);
     grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_mean_deg, 'f', 2)), content), line,
                     1);
     grid->addWidget(number_label(tr("%1°").arg(locale().toString(error.inclination_max_deg, 'f', 1)), content), line,

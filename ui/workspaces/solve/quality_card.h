@@ -7,6 +7,7 @@
 #include "workspaces/solve/solve_model.h"
 
 class QGridLayout;
+class QVBoxLayout;
 
 namespace limbwave::ui {
 
@@ -17,6 +18,8 @@ class QualityCard : public Card {
 
  private:
   void rebuild();
+  void add_uncertainty(QVBoxLayout* layout, QWidget* content);
+  void add_sensors(QVBoxLayout* layout, const solve::QualityReport& report, const Verdict& headline, QWidget* content);
   SolveModel& model_;
   QWidget* content_ = nullptr;
 };

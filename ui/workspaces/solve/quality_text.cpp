@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/core_text.h"
+#include "common/shown_names.h"
 
 namespace limbwave::ui {
 
@@ -61,7 +62,7 @@ QString percent(double fraction) {
 }
 
 Verdict sensor_verdict(const solve::SensorQuality& sensor) {
-  const QString name = QString::fromStdString(sensor.sensor);
+  const QString name = shown_name(sensor.sensor);
   if (sensor.usable < kUsableGood) {
     return {grade(sensor.usable, kUsableGood, kUsableBad),
             Quality::tr("%1: only %2 of the readings are usable.").arg(name, percent(sensor.usable)),
@@ -148,7 +149,28 @@ Verdict diagnostic_verdict(const Diagnostic& diagnostic) {
   return {tone, text, remedy};
 }
 
+bool is_by_body_filter(const solve::QualityReport& report) {
+  return report.sensors.empty();
+}
+
+// The body filter says all that it has to say in findings: it knows neither cycles nor a line.
+static Verdict body_verdict(const solve::QualityReport& report) {
+  const Diagnostic* worst_one = nullptr;
+  for (const Diagnostic& one : report.diagnostics) {
+    if (one.severity != Severity::kInfo && (worst_one == nullptr || one.severity > worst_one->severity)) {
+      worst_one = &one;
+    }
+  }
+  if (worst_one == nullptr) {
+    return {Tone::kGood, Quality::tr("Good: all boards were heard, and agree."), {}};
+  }
+  return diagnostic_verdict(*worst_one);
+}
+
 Verdict overall_verdict(const solve::QualityReport& report, const evaluate::Evaluation* evaluation) {
+  if (is_by_body_filter(report)) {
+    return body_verdict(report);
+  }
   Verdict worst_part = line_verdict(report.line);
   for (const solve::SensorQuality& sensor : report.sensors) {
     const Verdict verdict = sensor_verdict(sensor);

@@ -16,6 +16,8 @@ struct Verdict {
   QString remedy;  ///< May be empty.
 };
 
+/// The report of a driver box or of other sensors' logs: it has neither a line nor single accelerometers to judge.
+bool is_by_body_filter(const solve::QualityReport& report);
 /// The whole report in one sentence: the worst of its parts. Where the truth is known (null: it is not) it has the last
 /// word: a figure that is off is not good, however well its sensors were heard.
 Verdict overall_verdict(const solve::QualityReport& report, const evaluate::Evaluation* evaluation = nullptr);

@@ -142,7 +142,9 @@ void SettingsCard::show_state() {
   setEnabled(model_.state() != SolveState::kNoTake);
   solve_->setText(busy ? tr("Cancel solving") : (model_.solve() ? tr("Solve again") : tr("Solve")));
   solve_->setEnabled(model_.state() != SolveState::kNoTake && model_.state() != SolveState::kLoading);
-  const QString used = model_.solve() ? core_text(model_.solve()->report.calibration) : QString();
+  // A body filter's sensors come calibrated.
+  const bool calibrated = model_.solve() && model_.by_inclination();
+  const QString used = calibrated ? core_text(model_.solve()->report.calibration) : QString();
   source_->setText(used.isEmpty() ? QString() : tr("Used: %1").arg(used));
   source_->setVisible(!used.isEmpty());
 }

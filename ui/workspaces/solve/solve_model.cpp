@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/shown_names.h"
 #include "solve/compose.h"
 #include "workspaces/solve/solve_pose.h"
 
@@ -83,6 +84,10 @@ bool SolveModel::shown_sensor(int segment) const {
          live_sensors_[static_cast<std::size_t>(segment)];
 }
 
+bool SolveModel::shows_inclination() const {
+  return shows_live_ ? !context_.live().settings().rig.driver_box : by_inclination();
+}
+
 int SolveModel::segment_of_sensor(int sensor) const {
   const body::Rig* rig = shows_live_ ? &context_.live().settings().rig : take_ ? &take_->info.rig : nullptr;
   if (rig == nullptr || sensor < 0 || static_cast<std::size_t>(sensor) >= rig->accelerometers.size()) {
@@ -140,7 +145,7 @@ void SolveModel::load_keys() {
   loading_keys_ = true;
   std::vector<QString> names;
   for (const body::Segment& segment : skeleton_.segments) {
-    names.push_back(QString::fromStdString(segment.name));
+    names.push_back(shown_name(segment.name));
   }
   const double rate = solve_ ? solve_->clip.frame_rate_hz : 60.0;
   keys_.reset(names, solve_ ? solve_->clip.duration() : 0.0, 1.0 / std::max(1.0, rate));

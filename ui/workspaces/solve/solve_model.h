@@ -52,6 +52,8 @@ class SolveModel : public QObject {
   /// Of the figure that is shown: the take's with its edits, or the live one's.
   [[nodiscard]] const body::Skeleton& shown_skeleton() const;
   [[nodiscard]] bool shown_sensor(int segment) const;
+  /// What is shown, live or of the take, is known by gravity alone.
+  [[nodiscard]] bool shows_inclination() const;
   /// The segment that the rig's sensor sits on; -1: none.
   [[nodiscard]] int segment_of_sensor(int sensor) const;
 

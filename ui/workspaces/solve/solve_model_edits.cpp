@@ -1,6 +1,7 @@
 // What users change in a solve, and how it reaches the disk.
 #include <cmath>
 
+#include "common/shown_names.h"
 #include "solve/compose.h"
 #include "workspaces/solve/live_headings.h"
 #include "workspaces/solve/solve_commands.h"
@@ -61,8 +62,8 @@ bool SolveModel::change_length(int segment, double length, int gesture) {
   if (std::abs(bone.length - length) < 1e-9) {
     return false;
   }
-  context_.undo_stack().push(new ChangeLengthCommand(
-      *this, segment, bone.length, length, tr("change length of %1").arg(QString::fromStdString(bone.name)), gesture));
+  context_.undo_stack().push(new ChangeLengthCommand(*this, segment, bone.length, length,
+                                                     tr("change length of %1").arg(shown_name(bone.name)), gesture));
   return true;
 }
 

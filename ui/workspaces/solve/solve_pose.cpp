@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "solve/compose.h"
 
 namespace limbwave::ui {
 
@@ -23,18 +24,14 @@ void edited_pose(const motion::Clip& clip, const body::Skeleton& skeleton, const
                  const HeadingChange& change, double time_s, std::vector<body::SegmentPose>& poses) {
   motion::pose_at(clip, time_s, poses);
   assert(poses.size() == skeleton.segments.size() && has_sensor.size() == poses.size());
+  std::vector<double> turns(poses.size());
+  std::vector<Quaterniond> R_WL(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const body::Segment& segment = skeleton.segments[i];
-    const auto parent = static_cast<std::size_t>(std::max(segment.parent, 0));
-    if (has_sensor[i]) {
-      const double turn = change(static_cast<int>(i), time_s);
-      poses[i].R_WL = Quaterniond(Eigen::AngleAxisd(turn, Vector3d::UnitZ())) * poses[i].R_WL;
-    } else if (segment.parent >= 0) {
-      poses[i].R_WL = poses[parent].R_WL * segment.R_PL_rest;
-    }
-    poses[i].p_WL =
-        segment.parent < 0 ? root_position(clip, time_s) : poses[parent].p_WL + poses[parent].R_WL * segment.p_PL;
+    turns[i] = has_sensor[i] ? change(static_cast<int>(i), time_s) : 0.0;
+    R_WL[i] = poses[i].R_WL;
   }
+  solve::turn_segments(skeleton, has_sensor, turns, R_WL);
+  poses = body::poses_from_orientations(skeleton, R_WL, root_position(clip, time_s));
 }
 
 std::vector<bool> segments_with_sensors(const body::Rig& rig, const body::Skeleton& skeleton) {

@@ -1,5 +1,6 @@
 #include "workspaces/solve/solve_run.h"
 
+#include "common/shown_names.h"
 #include "solve/compose.h"
 #include "solve/solve.h"
 #include "solve/uncertainty.h"
@@ -16,7 +17,7 @@ SensorCurves make_curves(const take::Take& take, const solve::Solve& solve) {
   auto curves = std::make_shared<std::vector<SensorCurve>>(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
     SensorCurve& curve = (*curves)[i];
-    curve.name = QString::fromStdString(rig.accelerometers[i].name);
+    curve.name = shown_name(rig.accelerometers[i].name);
     curve.segment = segments[i];
     curve.elevation_deg = std::move(elevation[i]);
     if (i < solve.trust.size()) {

@@ -1,5 +1,6 @@
 #include "workspaces/solve/solve_workspace.h"
 
+#include <Eigen/Geometry>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -15,6 +16,7 @@
 #include "common/format.h"
 #include "common/icons.h"
 #include "common/latency_text.h"
+#include "common/shown_names.h"
 #include "common/theme.h"
 #include "common/widgets.h"
 #include "workspaces/record_banner.h"
@@ -28,12 +30,13 @@ namespace {
 
 constexpr int kLiveStatusMs = 500;
 constexpr int kExtentInstants = 60;
+constexpr double kLongestWay_m = 12.0;
 constexpr int kVerdictIcon = 18;
 
 std::vector<ViewerSensor> viewer_sensors(const body::Rig& rig, const body::Skeleton& skeleton) {
   std::vector<ViewerSensor> list;
   for (const body::Accelerometer& sensor : rig.accelerometers) {
-    list.push_back({QString::fromStdString(sensor.name), skeleton.find(sensor.segment), sensor.R_LS, sensor.p_LS});
+    list.push_back({shown_name(sensor.name), skeleton.find(sensor.segment), sensor.R_LS, sensor.p_LS});
   }
   return list;
 }
@@ -102,6 +105,7 @@ void SolveWorkspace::follow_context() {
   connect(&context_.live(), &LiveModel::figure_ready, this, &SolveWorkspace::show_live_figure);
   connect(&live_timer_, &QTimer::timeout, this, &SolveWorkspace::show_live_status);
   connect(viewer_, &ViewerWidget::frame_rendered, this, &SolveWorkspace::note_live_frame);
+  viewer_->set_follows(true);
   connect(empty_button_, &QPushButton::clicked, this, [this] {
     if (model_.state() == SolveState::kFailed) {
       model_.start();
@@ -244,7 +248,15 @@ void SolveWorkspace::show_figure() {
   if (live_) {
     viewer_->set_extent(reach_extent(context_.live().settings().skeleton));
   } else {
-    viewer_->set_extent(take ? motion_extent(model_.solve()->clip, kExtentInstants) : std::vector<Eigen::Vector3d>());
+    // Of a long way only the beginning is framed; the figure is followed from there.
+    std::vector<Eigen::Vector3d> extent;
+    if (take) {
+      extent = motion_extent(model_.solve()->clip, kExtentInstants);
+      Eigen::AlignedBox3d box;
+      std::for_each(extent.begin(), extent.end(), [&box](const Eigen::Vector3d& point) { box.extend(point); });
+      extent = !box.isEmpty() && box.diagonal().norm() > kLongestWay_m ? std::vector<Eigen::Vector3d>() : extent;
+    }
+    viewer_->set_extent(std::move(extent));
   }
   show_skeleton();
   // The camera is placed once for each capture and each take; then it is the user's.
