@@ -33,7 +33,7 @@ struct DriverBoxParameters {
   bool ranges = true, inertial = true;  ///< What to decode.
   int threads = 2;
   /// Words at most so far apart are joined, and a pulse waits so long for the words around it: 30 ms bridge three lost
-  /// words of 140 a second, 14.4 ms one.
+  /// words of 140 a second, 7.5 ms none.
   double words_joined_s = 0.030;
 };
 

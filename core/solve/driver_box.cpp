@@ -21,7 +21,7 @@ constexpr double kReachMargin = 1.05;   // bones longer than the rig's, placemen
 constexpr double kWander = 3e-3;        // metres per radian, of a source on a segment whose every joint is followed
 constexpr double kLooseWander = 12e-3;  // of others
 constexpr std::size_t kBlockFrames = 28000;
-constexpr double kLiveJoined = 0.0145;  // s: two words of 140 a second, whose clock may be off by 200 ppm
+constexpr double kLiveJoined = 0.0075;  // s: neighbouring words of 140 a second, whose clock may be off by 200 ppm
 constexpr double kFilters = 0.003;      // s: low pass and clock of the words, the middle of a pulse, guards between
 
 // The longest way along bones between points on two segments.

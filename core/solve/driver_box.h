@@ -20,8 +20,9 @@ decode::DriverBoxFormat driver_box_format(const body::Rig& rig, const body::Skel
 /// The calibration of a take, or the nominal one at 22 °C.
 calibrate::RangingCalibration ranging_calibration(const take::TakeInfo& info);
 
-/// Decoding that a live picture can wait for: ranges are judged by the past alone, and words are joined across one that
-/// was lost, not three. With `by_past` a take is solved from the same readings.
+/// Decoding that a live picture can wait for: ranges are judged by the past alone, and words are joined to their
+/// neighbours alone, not across lost ones: there a pulse is judged without its board's motion. With `by_past` a take is
+/// solved from the same readings.
 decode::DriverBoxParameters live_decoding();
 
 /// Behind the newest sample that was decoded by `live_decoding` no reading of before this comes any more, seconds.

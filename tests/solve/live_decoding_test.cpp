@@ -107,7 +107,7 @@ TEST_F(LiveDecoding, EveryReadingIsThereInTimeForItsPose) {
     EXPECT_LT(result.word_age_s + word_s, settled);
     EXPECT_GT(result.range_age_s, settled - 0.010 - (spoil ? 0.0 : word_s)) << "nobody waits for nothing";
   }
-  EXPECT_LT(settled, 0.033);
+  EXPECT_LT(settled, 0.026);
 }
 
 TEST_F(LiveDecoding, DoesNotDependOnBlocks) {

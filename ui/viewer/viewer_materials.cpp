@@ -94,10 +94,12 @@ void main() { fragment = shadow_color; }
 constexpr const char* kFloorVertex = R"(#version 150 core
 in vec3 vertexPosition;
 out vec2 floor_position;
+out vec2 from_middle;
 uniform mat4 modelMatrix;
 uniform mat4 mvp;
 void main() {
   floor_position = (modelMatrix * vec4(vertexPosition, 1.0)).xy;
+  from_middle = vertexPosition.xy;
   gl_Position = mvp * vec4(vertexPosition, 1.0);
 }
 )";
@@ -105,6 +107,7 @@ void main() {
 // Lines one pixel wide at every distance; the fine ones go where they would merge.
 constexpr const char* kFloorFragment = R"(#version 150 core
 in vec2 floor_position;
+in vec2 from_middle;
 out vec4 fragment;
 uniform vec4 line_color;
 uniform vec3 eyePosition;
@@ -119,8 +122,8 @@ float lines(vec2 p, float spacing, float width) {
 void main() {
   float fine = 0.34 * lines(floor_position, 0.1, 1.0);
   float coarse = 0.95 * lines(floor_position, 1.0, 1.4);
-  float fade = 1.0 - smoothstep(1.5, 6.0, length(floor_position));
-  float alpha = max(fine * (1.0 - smoothstep(1.0, 3.2, length(floor_position))), coarse * fade);
+  float fade = 1.0 - smoothstep(1.5, 6.0, length(from_middle));
+  float alpha = max(fine * (1.0 - smoothstep(1.0, 3.2, length(from_middle))), coarse * fade);
   fragment = vec4(line_color.rgb, line_color.a * alpha);
 }
 )";

@@ -41,6 +41,7 @@ constexpr float kWorldAxis = 0.35F;
 constexpr float kWorldAxisRadius = 0.004F;
 constexpr float kLetter = 0.045F;
 constexpr float kFloorHalf = 8.0F;
+constexpr double kFloorStays = 1.5;  // metres about the origin in which one looks at the grid as it is
 
 }  // namespace
 
@@ -73,6 +74,7 @@ struct ViewerScene::Impl {
   std::array<SurfaceMaterial*, 3> axis{};
   QGeometryRenderer *bone_shape = nullptr, *ball = nullptr, *box = nullptr, *rod = nullptr, *arrow = nullptr;
   QEntity* floor = nullptr;
+  QTransform* floor_place = nullptr;
   QEntity* sensors = nullptr;
   std::array<QTransform*, 3> letters{};
   Figure figure, ghost_figure;
@@ -205,7 +207,8 @@ struct ViewerScene::Impl {
       quad.normals.push_back(Eigen::Vector3f::UnitZ());
     }
     floor = new QEntity(root);
-    part(floor, make_renderer(quad, root), floor_material, {}, {}, {1, 1, 1});
+    QEntity* grid = part(floor, make_renderer(quad, root), floor_material, {}, {}, {1, 1, 1});
+    floor_place = grid->componentsOfType<QTransform>().value(0);
     triad(floor, kWorldAxis, kWorldAxisRadius);
     const std::array<char, 3> names{'X', 'Y', 'Z'};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -329,6 +332,9 @@ void ViewerScene::set_camera(const OrbitCamera& camera, double aspect) {
   lens->setPosition(to_qt(camera.position()));
   lens->setUpVector(to_qt(camera.up()));
   lens->setViewCenter(to_qt(camera.target()));
+  // The grid lies where one looks; its lines stay where they are in the world.
+  const Eigen::Vector3d target(camera.target().x(), camera.target().y(), 0.0);
+  impl_->floor_place->setTranslation(to_qt(target * std::max(0.0, 1.0 - kFloorStays / std::max(target.norm(), 1e-9))));
   // The letters at the axes face the viewer.
   Eigen::Matrix3d R_WV;
   R_WV << camera.right(), camera.up(), -camera.forward();
