@@ -23,8 +23,8 @@ struct MovingStartParameters {
 };
 
 /// The state at the first reading; nothing where the recording begins with rest in the rest pose (as
-/// RestParameters::mode has it), has no ranges, or where what was found hardly fits better than the rest pose. Fails
-/// when it is cancelled, or as the filter's start does.
+/// RestParameters::mode has it), has no ranges, or where what was found fits hardly better than the rest pose, or not
+/// at all. Fails when it is cancelled, or as the filter's start does.
 Result<std::optional<BodyState>> find_moving_start(const BodyModel& model, const BodyFilterParameters& parameters,
                                                    const BodyWatchParameters& watch, const BodyReadings& readings,
                                                    const Progress& progress, const MovingStartParameters& start = {});
