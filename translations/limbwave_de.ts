@@ -2380,10 +2380,6 @@
         <translation>gehört zu einem anderen Skelett oder Rig</translation>
     </message>
     <message>
-        <source>has not seven entries</source>
-        <translation>hat nicht sieben Einträge</translation>
-    </message>
-    <message>
         <source>the skeleton has no feet that could stand: the root is free</source>
         <translation>das Skelett hat keine Füße, die stehen könnten: die Wurzel ist frei</translation>
     </message>
@@ -2518,14 +2514,6 @@
     <message>
         <source>turn it round, or say so in the rig</source>
         <translation>drehen Sie ihn um, oder tragen Sie es im Rig ein</translation>
-    </message>
-    <message>
-        <source>the root&apos;s place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)</source>
-        <translation>der Ort der Wurzel ist am Ende um %1 m über dem Boden und %2 m in der Höhe unsicher (1 σ)</translation>
-    </message>
-    <message>
-        <source>choose --root contacts for somebody who walks, or give the root&apos;s path</source>
-        <translation>wählen Sie --root contacts für jemanden, der geht, oder geben Sie den Weg der Wurzel an</translation>
     </message>
     <message>
         <source>a smoother looks to both sides and cannot resume</source>
@@ -3690,6 +3678,42 @@
     <message>
         <source>give it the rig it was recorded with</source>
         <translation>geben Sie ihm das Rig, mit dem er aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>the root&apos;s place is told by its feet for %1 % of the time, and by its own acceleration for the rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feet that glide or float tell little: give the root&apos;s path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pose in which the take begins was found from its first seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root fixed: it stays at its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root by the feet that stand (contacts)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root free: by its own acceleration alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root given: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; its place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose --root contacts for somebody who stands or walks, or give its path</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5622,6 +5646,26 @@
     <message>
         <source>The sources stay as they are</source>
         <translation>Die Quellen bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Live figure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothed, it moves as calmly as a solved take, and so much later. What is recorded is the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothed, %1 s later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newest pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

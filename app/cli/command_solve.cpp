@@ -38,9 +38,8 @@ void add_solve(CLI::App& app, Console& console) {
       ->capture_default_str();
   command->add_option(
       "--root", options->root,
-      "fixed: the root stays where it is; contacts: by feet that stand on the ground; free: by gravity and "
-      "the sensors alone; truth: as simulated; or a CSV file with its path. Unless given, fixed by inclination, "
-      "contacts of a driver box, else free");
+      "fixed: the root stays where it is; contacts: by feet that stand on the ground, the default for a body with feet; "
+      "free: by its acceleration alone; truth: as simulated; or a CSV file with its path");
   command
       ->add_option(
           "--smoothing", options->smoothing,

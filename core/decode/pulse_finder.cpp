@@ -1,5 +1,6 @@
 #include "decode/pulse_finder.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +15,10 @@ constexpr int kMostArrivals = 4;
 constexpr double kModelError = 0.06;   // of amplitudes
 constexpr double kUsualTurn = 1200.0;  // radians/s, standard deviation: 1.6 m/s towards or away
 constexpr double kOverlap = 1.1e-3;    // seconds; later echoes do not reach back to the first arrival
+constexpr double kMisfitNoise = 4.0;   // energy over the noise's, up to which what is left of a pulse is noise
+constexpr double kLaterNoise = 5.0;    // likewise, of the strongest arrival that may hide behind it
+constexpr std::size_t kLater = 9;      // values: 0.45 ms
+constexpr double kMostCrowding = 1e3;
 
 }  // namespace
 
@@ -80,8 +85,8 @@ PulseFinder::Fit PulseFinder::fit(std::size_t lag, double noise) const {
     const double power = std::norm(fit.a);
     fit.turn_variance = noise / (2.0 * power * shape_.spread());
     const double usual = kUsualTurn * kUsualTurn / (rate_hz_ * rate_hz_);
-    const double measured = std::imag(std::conj(fit.a) * moment) / (power * shape_.spread());
-    fit.turn = std::clamp(measured * usual / (usual + fit.turn_variance), -0.25, 0.25);
+    fit.measured_turn = std::imag(std::conj(fit.a) * moment) / (power * shape_.spread());
+    fit.turn = std::clamp(fit.measured_turn * usual / (usual + fit.turn_variance), -0.25, 0.25);
   }
   fit.place += rest;
   return fit;
@@ -102,6 +107,65 @@ void PulseFinder::subtract(const Fit& fit, double sign) {
     im_[start + i] -= static_cast<float>(carrier.imag()) * value;
     carrier *= step;
   }
+}
+
+// Of what is left when all arrivals are taken out.
+double PulseFinder::misfit(const Fit& fit, double noise) const {
+  const auto [phase, start] = phase_of(fit.place);
+  const std::size_t length = shape_.length();
+  const auto energy = [&](const float* shape, std::size_t at) {
+    if (at + length > re_.size()) {
+      return 0.0;
+    }
+    const signal::DotPair c = signal::dot_pair(shape, re_.data() + at, im_.data() + at, length);
+    return (static_cast<double>(c.first) * c.first + static_cast<double>(c.second) * c.second) / noise;
+  };
+  double later = 0.0;
+  for (std::size_t l = start; l < start + kLater; ++l) {
+    later = std::max(later, energy(shape_.shape(0), l) / shape_.energy());
+  }
+  return std::max({0.0, energy(shape_.bend(phase), start) - kMisfitNoise, later - kLaterNoise});
+}
+
+std::pair<double, double> PulseFinder::crowding(const Fit& fit, const std::vector<Fit>& fits) const {
+  const auto length = static_cast<Eigen::Index>(shape_.length());
+  const auto [phase, start] = phase_of(fit.place);
+  std::vector<Eigen::VectorXd> taken;  // orthonormal: what others may explain
+  const auto left_of = [&](Eigen::VectorXd v) {
+    for (const Eigen::VectorXd& unit : taken) {
+      v -= unit.dot(v) * unit;
+    }
+    return v;
+  };
+  for (const Fit& other : fits) {
+    if (&other == &fit || std::abs(other.place - fit.place) > kOverlap * rate_hz_) {
+      continue;
+    }
+    const auto [other_phase, other_start] = phase_of(other.place);
+    const auto ahead = static_cast<Eigen::Index>(other_start) - static_cast<Eigen::Index>(start);
+    for (const float* table : {shape_.shape(other_phase), shape_.slope(other_phase)}) {
+      Eigen::VectorXd v = Eigen::VectorXd::Zero(length);
+      for (Eigen::Index i = std::max<Eigen::Index>(0, ahead); i < std::min(length, length + ahead); ++i) {
+        v[i] = table[i - ahead];
+      }
+      const double before = v.norm();
+      v = left_of(v);
+      if (v.norm() > 1e-3 * before) {
+        taken.push_back(v.normalized());
+      }
+    }
+  }
+  const auto own = [&](const float* table) {
+    return Eigen::Map<const Eigen::VectorXf>(table, length).cast<double>().eval();
+  };
+  const Eigen::VectorXd g = own(shape_.shape(phase));
+  Eigen::VectorXd d = own(shape_.slope(phase));
+  const double alone = d.squaredNorm() - std::pow(g.dot(d), 2) / g.squaredNorm();
+  const Eigen::VectorXd g_left = left_of(g);
+  const double phase_factor = g.squaredNorm() / std::max(g_left.squaredNorm(), g.squaredNorm() / kMostCrowding);
+  d = left_of(d);
+  d -= g_left.dot(d) / std::max(g_left.squaredNorm(), 1e-12) * g_left;
+  return {alone / std::max(d.squaredNorm(), alone / kMostCrowding), phase_factor};
 }
 
 FoundPulse PulseFinder::find(std::span<const std::complex<float>> values, double first_value_s, double longest_s,
@@ -183,8 +247,14 @@ FoundPulse PulseFinder::find(std::span<const std::complex<float>> values, double
     arrival.delay_variance = noise / (2.0 * power * shape_.slope_energy() * rate_hz_ * rate_hz_);
     arrival.phase_variance = noise / (2.0 * power * shape_.energy());
     arrival.phase = std::arg(one.a);
-    arrival.doppler = one.turn * rate_hz_;
+    if (fits.size() > 1) {
+      const auto [delay_factor, phase_factor] = crowding(one, fits);
+      arrival.delay_variance *= delay_factor;
+      arrival.phase_variance *= phase_factor;
+    }
+    arrival.doppler = one.measured_turn * rate_hz_;
     arrival.doppler_variance = one.turn_variance * rate_hz_ * rate_hz_;
+    arrival.misfit = misfit(one, noise);
     found.arrivals.push_back(arrival);
   }
   return found;

@@ -1,5 +1,6 @@
 #include "decode/pulse_shape.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -111,12 +112,31 @@ PulseShape::PulseShape(const RangingFormat& format, const BasebandPlan& plan, Sa
   };
   shape_.resize(kPhases * length_);
   slope_.resize(kPhases * length_);
+  bend_.resize(kPhases * length_);
   for (int phase = 0; phase < kPhases; ++phase) {
     for (std::size_t i = 0; i < length_; ++i) {
       const std::size_t at = static_cast<std::size_t>(phase) * length_ + i;
       shape_[at] = static_cast<float>(value(i, phase));
       slope_[at] = static_cast<float>((value(i, phase + 1.0) - value(i, phase - 1.0)) * (0.5 * kPhases));
     }
+  }
+  constexpr double kBendStep = kPhases / 8.0;
+  for (int phase = 0; phase < kPhases; ++phase) {
+    const std::size_t at = static_cast<std::size_t>(phase) * length_;
+    Eigen::VectorXd bend(static_cast<Eigen::Index>(length_));
+    for (std::size_t i = 0; i < length_; ++i) {
+      bend[static_cast<Eigen::Index>(i)] =
+          value(i, phase + kBendStep) + value(i, phase - kBendStep) - 2.0 * static_cast<double>(shape_[at + i]);
+    }
+    const auto table = [&](const std::vector<float>& values) {
+      return Eigen::Map<const Eigen::VectorXf>(values.data() + at, bend.size()).cast<double>().eval();
+    };
+    const Eigen::VectorXd g = table(shape_).normalized();
+    Eigen::VectorXd d = table(slope_);
+    d = (d - g.dot(d) * g).normalized();
+    bend -= g.dot(bend) * g + d.dot(bend) * d;
+    bend.normalize();
+    std::copy_n(bend.cast<float>().eval().data(), length_, bend_.data() + at);
   }
   double cross = 0.0;
   for (std::size_t i = 0; i < length_; ++i) {

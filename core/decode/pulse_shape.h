@@ -51,6 +51,9 @@ class PulseShape {
   [[nodiscard]] const float* slope(int phase) const {
     return slope_.data() + static_cast<std::size_t>(phase) * length_;
   }
+  /// What its second derivative has that neither shape nor slope have, of energy 1: what an echo shortly after leaves
+  /// beside the best fit.
+  [[nodiscard]] const float* bend(int phase) const { return bend_.data() + static_cast<std::size_t>(phase) * length_; }
   /// Middle of the shape's energy since its first value, of phase 0, values.
   [[nodiscard]] double middle() const { return middle_; }
   /// Sum of shape² (place − middle)².
@@ -61,7 +64,7 @@ class PulseShape {
 
  private:
   std::size_t length_ = 0, lead_ = 0;
-  std::vector<float> shape_, slope_;
+  std::vector<float> shape_, slope_, bend_;
   double energy_ = 0.0, slope_energy_ = 0.0, centroid_s_ = 0.0;
   double middle_ = 0.0, spread_ = 0.0;
 };

@@ -20,6 +20,12 @@ constexpr double kBones = 0.025;       // metres, by which boards and bones are 
 constexpr double kElsewhere = 3.0;     // standard deviations from where the skeleton puts a board
 constexpr double kOtherFrame = 0.010;  // metres, of a range in a frame that its source moves in
 
+// What an echo that is not told apart does, by the energy that it leaves (over the noise's) in shape and turn: it may
+// shift the envelope by as much energy again, and the phase.
+constexpr double kEchoDelay = 4.0, kEchoPhase = 0.9;
+constexpr double kTurnNoise = 4.5;
+constexpr double kUsualRate = 1.6, kRateSd = 0.2;  // m/s: where nothing is expected; beside what is said of what is
+
 double wrapped(double value, double period) {
   return value - period * std::floor(value / period);
 }
@@ -37,7 +43,7 @@ RangeResolver::RangeResolver(SampleRate rate, int receiver, const std::vector<Ra
       frame_of_(format_.sources.size(), 0),
       stretch_(static_cast<std::size_t>(
           std::max(0.0, std::ceil(parameters.look_ahead_s * rate.hz / format_.slot_samples)))) {
-  const Followed::Pair pair{CycleTracker(wavelength_, parameters.stray, parameters.stray_m)};
+  const Followed::Pair pair{CycleTracker(wavelength_, parameters_.stray, parameters_.stray_m)};
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const auto& [format, geometry] = frames[f];
     const auto w = static_cast<std::size_t>(receiver);
@@ -186,6 +192,19 @@ std::optional<RangeResolver::Direction> RangeResolver::by_skeleton(const Tracker
   return Direction{angle, std::min(kNowhere, std::hypot(step.board.place_sd, kBones) / distance)};
 }
 
+// What an echo that is not told apart leaves: in the pulse's shape, and in how its carrier turns, which the
+// microphone's movement has to explain. Energy over the noise's.
+double RangeResolver::misfit_of(const Arrival& arrival,
+                                const std::optional<RangeTracker::Expectation>& expected) const {
+  const double per_speed = 2.0 * kPi / wavelength_;
+  const double turn = expected ? -per_speed * expected->rate : 0.0;
+  const double rate_variance = expected ? expected->P(1, 1) + kRateSd * kRateSd : kUsualRate * kUsualRate;
+  const double variance = arrival.doppler_variance + per_speed * per_speed * rate_variance;
+  const double off = arrival.doppler - turn;
+  // A real value has half the noise.
+  return arrival.misfit + std::max(0.0, 0.5 * off * off / variance - kTurnNoise);
+}
+
 void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
                                 RangeReading& reading, Guess& guess) {
   RangeTracker& tracker = followed.tracker;
@@ -194,8 +213,9 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
   const auto expected = tracker.expect(heard.source, step.source);
   const std::optional<RangePrediction> told = predict_ ? predict_(reading.source, reading.emission_time) : std::nullopt;
   const Arrival& arrival = straight(heard, expected);
+  const double misfit = misfit_of(arrival, expected);
   reading.envelope_range = c * arrival.delay_s;
-  reading.envelope_variance = c * c * arrival.delay_variance + kSystematic * kSystematic;
+  reading.envelope_variance = c * c * arrival.delay_variance * (1.0 + kEchoDelay * misfit) + kSystematic * kSystematic;
   if (arrival.amplitude > kOverload) {
     reading.envelope_variance += kOverloaded * kOverloaded;
   }
@@ -218,8 +238,9 @@ void RangeResolver::by_envelope(const HeardSlot& heard, const TrackerStep& step,
   const double slope = u * (2.0 * source.phase + 3.0 * u * source.phase_2) / (kPi / 3.0);
   const double radian = wavelength_ / (2.0 * kPi);
   const double turn_sd = std::hypot(std::abs(slope) * towards.sd * radian, parameters_.phase_sd * std::max(1.0, u * u));
-  const double phase_variance = arrival.phase_variance * radian * radian + turn_sd * turn_sd;
-  weigh(source, reading.envelope_range, arrival.amplitude, heard.noise, towards, reading);
+  const double phase_variance =
+      arrival.phase_variance * (1.0 + kEchoPhase * misfit) * radian * radian + turn_sd * turn_sd;
+  weigh(source, reading.envelope_range, arrival.amplitude, heard.noise, towards, worn, reading);
   reading.range = reading.envelope_range;
   reading.variance = reading.envelope_variance;
   reading.flight_s = reading.range / c;

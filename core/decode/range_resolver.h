@@ -81,10 +81,12 @@ class RangeResolver {
   void by_paper(const HeardSlot& heard, const TrackerStep& step, RangeTracker& tracker, RangeReading& reading) const;
   void by_envelope(const HeardSlot& heard, const TrackerStep& step, Followed& followed, bool forward,
                    RangeReading& reading, Guess& guess);
+  [[nodiscard]] double misfit_of(const Arrival& arrival,
+                                 const std::optional<RangeTracker::Expectation>& expected) const;
   [[nodiscard]] const Arrival& straight(const HeardSlot& heard,
                                         const std::optional<RangeTracker::Expectation>& expected) const;
   void weigh(const RangingSource& source, double range, double amplitude, double noise, const Direction& towards,
-             RangeReading& reading) const;
+             const std::optional<Direction>& worn, RangeReading& reading) const;
   [[nodiscard]] CycleResult resolve(double phase_variance, const TrackerStep& step,
                                     const RangeTracker::Expectation& expected,
                                     const std::optional<RangePrediction>& told, const RangeReading& reading,

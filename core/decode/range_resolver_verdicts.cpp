@@ -11,7 +11,10 @@ namespace {
 constexpr double kUnsure = 0.3;         // who is less sure than this of a number has no say
 constexpr double kStrong = 0.6;         // of the amplitude expected: fully believed from here
 constexpr double kContradiction = 0.2;  // a guess that is surer than this can contradict another
-constexpr double kSure = 0.030;         // metres: who expects a range this well chooses among arrivals
+// Standard deviations, by the tracker and by the skeleton, at which nothing says that it is in front of the source.
+// Who has followed an echo knows less of directions than it seems to him.
+constexpr double kBehind = 3.0, kWornBehind = 2.0;
+constexpr double kSure = 0.030;  // metres: who expects a range this well chooses among arrivals
 
 }  // namespace
 
@@ -33,7 +36,12 @@ const Arrival& RangeResolver::straight(const HeardSlot& heard,
 
 // Strength and angle, as the paper has them, from what is known about the geometry.
 void RangeResolver::weigh(const RangingSource& source, double range, double amplitude, double noise,
-                          const Direction& towards, RangeReading& reading) const {
+                          const Direction& towards, const std::optional<Direction>& worn, RangeReading& reading) const {
+  // Sound that leaves a source backward comes by way of a wall or the floor. Of the angles that are possible the
+  // foremost.
+  const auto foremost_of = [&](const Direction& direction, double deviations) {
+    return std::max(source.foremost, direction.sd < kNowhere ? direction.angle - deviations * direction.sd : 0.0);
+  };
   const auto radiated = [&](double angle) {
     const std::vector<double>& table = format_.radiation;
     if (table.size() < 2) {
@@ -44,17 +52,16 @@ void RangeResolver::weigh(const RangingSource& source, double range, double ampl
     const double x = place - static_cast<double>(below);
     return table[below] + x * (table[below + 1] - table[below]);
   };
+  const double near = std::max(range, 0.05);
+  const double on_axis = source.level * format_.level_m / near * std::pow(10.0, -format_.absorption_db_m * near / 20.0);
   double pattern = 0.25;  // where no direction is known: far off the axis, but in sight
-  reading.factors.angle = 1.0;
   if (towards.sd < radians(6.0)) {
     // Of the angles that are possible the one that explains the least strength.
     pattern = radiated(std::min(kPi, towards.angle + towards.sd));
-    reading.factors.angle = std::clamp((radians(95.0) - towards.angle) / radians(10.0), 0.0, 1.0);
   }
-  const double near = std::max(range, 0.05);
-  const double strength =
-      source.level * format_.level_m * pattern / near * std::pow(10.0, -format_.absorption_db_m * near / 20.0);
-  const double relative = amplitude / (kStrong * strength);
+  const double foremost = std::max(foremost_of(towards, kBehind), worn ? foremost_of(*worn, kWornBehind) : 0.0);
+  reading.factors.angle = std::clamp((radians(95.0) - foremost) / radians(10.0), 0.0, 1.0);
+  const double relative = amplitude / (kStrong * on_axis * pattern);
   reading.factors.strength = relative >= 1.0 ? 1.0 : relative * relative * relative * relative;
   reading.snr_db = 10.0 * std::log10(std::max(1e-9, 0.25 * amplitude * amplitude / std::max(noise * 0.5, 1e-30)));
 }
@@ -71,7 +78,7 @@ void RangeResolver::by_paper(const HeardSlot& heard, const TrackerStep& step, Ra
   const auto expected = tracker.expect(reading.source, step.source);
   const Direction towards =
       expected ? Direction{expected->angle, std::min(kNowhere, expected->angle_sd)} : Direction{0.0, kNowhere};
-  weigh(source, reading.range, heard.steepest->peak, heard.noise, towards, reading);
+  weigh(source, reading.range, heard.steepest->peak, heard.noise, towards, std::nullopt, reading);
   // σ of 2.5 mm at 25 dB, and in inverse proportion to the amplitude.
   const double sd = 2.5e-3 * std::pow(10.0, (25.0 - std::min(45.0, reading.snr_db)) / 20.0);
   reading.variance = reading.envelope_variance = sd * sd + kSystematic * kSystematic;

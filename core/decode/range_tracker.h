@@ -48,6 +48,7 @@ class RangeTracker {
   struct Expectation {
     double range = 0.0;     ///< Metres.
     double variance = 0.0;  ///< m².
+    double rate = 0.0;      ///< m/s.
     double angle = 0.0;     ///< Off the source's normal, radians.
     double angle_sd = 0.0;
     /// Of range, its rate, and its acceleration (m, m/s, m/s²).

@@ -54,6 +54,7 @@ std::optional<RangeTracker::Expectation> RangeTracker::expect(int source, const 
   Expectation e;
   e.range = to.distance;
   e.variance = std::max(0.0, h.dot(PH)) + bend * bend;
+  e.rate = to.u.dot(x_.segment<3>(3) - step.w_C.cross(step.place));
   State g = State::Zero();  // rate
   g.segment<3>(3) = to.u;
   State a = State::Zero();  // acceleration

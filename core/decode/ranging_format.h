@@ -14,11 +14,12 @@ struct RangingSource {
   bool fixed = true;                                  ///< Sits on that segment itself; the others move against it.
   double delay_s = 0.0;                               ///< It starts later than its slot by this.
   double phase = 0.0,
-         phase_2 = 0.0;  ///< Phase at u = angle off the normal / 60 degrees: phase u² + phase_2 u³, radians.
-  double level = 1.0;    ///< Amplitude relative to `level_m`.
-  double wander = 3e-3;  ///< How uncertain its place becomes where its segment turns against the others: metres per
-                         ///< radian, √s.
-  double reach = 10.0;   ///< No limb takes this wire's microphone further away, metres.
+         phase_2 = 0.0;   ///< Phase at u = angle off the normal / 60 degrees: phase u² + phase_2 u³, radians.
+  double level = 1.0;     ///< Amplitude relative to `level_m`.
+  double wander = 3e-3;   ///< How uncertain its place becomes where its segment turns against the others: metres per
+                          ///< radian, √s.
+  double reach = 10.0;    ///< No limb takes this wire's microphone further away, metres.
+  double foremost = 0.0;  ///< Nor nearer to the source's normal, radians.
 };
 
 struct RangingFormat {
@@ -54,8 +55,8 @@ struct RangingParameters {
   /// both failures, which are not quite independent of each other.
   double joint_failure = 3e-4;
   double caution = 1.3;           ///< Of the envelope's variance: echoes that overlap, shapes that are not quite so.
-  double stray = 0.002;           ///< Probability that an expectation is far worse than it thinks,
-  double stray_m = 4e-3;          ///< and by how much then, metres.
+  double stray = 0.01;            ///< Probability that an expectation is far worse than it thinks,
+  double stray_m = 8e-3;          ///< and by how much then, metres.
   double least_confidence = 0.1;  ///< Of an accepted range.
   double look_ahead_s = 1.0;      ///< A pulse is judged by what comes up to this later, too; 0: at once.
 };

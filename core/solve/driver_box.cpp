@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/units.h"
+#include "solve/pair_reach.h"
 #include "take/take_reader.h"
 
 namespace limbwave::solve {
@@ -17,50 +18,14 @@ using Eigen::Vector3d;
 
 constexpr double kTemperature = 22.0;
 constexpr double kHumidity = 0.5;
-constexpr double kReachMargin = 1.05;   // bones longer than the rig's, placement
-constexpr double kWander = 3e-3;        // metres per radian, of a source on a segment whose every joint is followed
-constexpr double kLooseWander = 12e-3;  // of others
+constexpr double kReachMargin = 1.05;     // bones longer than the rig's
+constexpr double kReachPlacement = 0.02;  // metres
+constexpr double kTilted = radians(5.0);  // sources as they are mounted
+constexpr double kWander = 3e-3;          // metres per radian, of a source on a segment whose every joint is followed
+constexpr double kLooseWander = 12e-3;    // of others
 constexpr std::size_t kBlockFrames = 28000;
 constexpr double kLiveJoined = 0.0075;  // s: neighbouring words of 140 a second, whose clock may be off by 200 ppm
 constexpr double kFilters = 0.003;      // s: low pass and clock of the words, the middle of a pulse, guards between
-
-// The longest way along bones between points on two segments.
-double longest_way(const body::Skeleton& skeleton, int a, const Vector3d& p_a, int b, const Vector3d& p_b) {
-  std::vector<int> up;
-  for (int s = a; s >= 0; s = skeleton.segments[static_cast<std::size_t>(s)].parent) {
-    up.push_back(s);
-  }
-  // From b up to the first segment that both hang on; there the joints' distance counts.
-  double way = p_b.norm();
-  int s = b;
-  Vector3d from_b = p_b;
-  while (std::find(up.begin(), up.end(), s) == up.end()) {
-    const body::Segment& segment = skeleton.segments[static_cast<std::size_t>(s)];
-    from_b = segment.p_PL;
-    s = segment.parent;
-    if (std::find(up.begin(), up.end(), s) == up.end()) {
-      way += segment.p_PL.norm();
-    }
-  }
-  double way_a = p_a.norm();
-  Vector3d from_a = p_a;
-  for (const int t : up) {
-    if (t == s) {
-      break;
-    }
-    const body::Segment& segment = skeleton.segments[static_cast<std::size_t>(t)];
-    from_a = segment.p_PL;
-    if (segment.parent != s) {
-      way_a += segment.p_PL.norm();
-    }
-  }
-  const bool a_there = a == s;
-  const bool b_there = b == s;
-  if (a_there && b_there) {
-    return (p_a - p_b).norm();
-  }
-  return (a_there ? 0.0 : way_a) + (b_there ? 0.0 : way) + ((a_there ? p_a : from_a) - (b_there ? p_b : from_b)).norm();
-}
 
 // Which boards sit beside the sources; boards and microphones of a wire are one piece.
 decode::BoxGeometry box_geometry(const body::Rig& rig, const body::Skeleton& skeleton,
@@ -161,9 +126,11 @@ decode::DriverBoxFormat::Frame frame_of(const body::Rig& rig, const body::Skelet
     const body::SegmentPose& pose = poses[static_cast<std::size_t>(segment)];
     wire.receiver = frame.R_WL.conjugate() * Vector3d(pose.p_WL + pose.R_WL * microphone.p_LS - frame.p_WL);
     for (std::size_t s = 0; s < rig.sources.size(); ++s) {
-      wire.sources[s].reach =
-          0.03 + kReachMargin * longest_way(skeleton, std::max(0, skeleton.find(rig.sources[s].segment)),
-                                            rig.sources[s].p_LS, segment, microphone.p_LS);
+      const body::Source& worn = rig.sources[s];
+      const PairReach reach = pair_reach(skeleton, std::max(0, skeleton.find(worn.segment)), worn.p_LS, worn.normal_L,
+                                         segment, microphone.p_LS);
+      wire.sources[s].reach = kReachPlacement + kReachMargin * reach.farthest;
+      wire.sources[s].foremost = std::max(0.0, reach.foremost - kTilted);
     }
     in.wires.push_back(std::move(wire));
   }

@@ -157,5 +157,60 @@ TEST(PulseFinder, MovementDoesNotMatterAtThePulsesMiddle) {
   }
 }
 
+struct Claims {
+  int heard = 0, beyond = 0, beyond_bound = 0;  // three standard deviations, as stated and of the bound
+  double stated = 0.0;                          // mean of stated variances over the bound
+};
+
+// Envelopes at 30 dB with an echo `behind` of a given strength at any phase.
+Claims claims(double behind, double strength, int trials) {
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> turn(0.0, 2.0 * kPi);
+  const simulate::SoundPulse pulse{body::DriverBoxSignal{}};
+  const double noise = noise_for(30.0);
+  const double bound = kSpeed * bound_s(noise);
+  Claims c;
+  for (int i = 0; i < trials; ++i) {
+    const double r = 0.5 + 1e-3 * (i % 17);
+    std::vector<float> samples = slot_with(r / kSpeed, noise, random, turn(random));
+    if (strength > 0.0) {
+      pulse.add(samples.data(), 1120, -(r + behind) / kSpeed, 1.0 / kRate, 1.0, 0.1 * strength, turn(random));
+    }
+    const RangeReading reading = range_of(samples, RangingMethod::kEnvelope);
+    if (!std::isfinite(reading.envelope_range)) {
+      continue;
+    }
+    const double error = std::abs(reading.envelope_range - r);
+    ++c.heard;
+    c.beyond += error > 3.0 * std::sqrt(reading.envelope_variance) ? 1 : 0;
+    c.beyond_bound += error > 3.0 * bound ? 1 : 0;
+    c.stated += reading.envelope_variance / (bound * bound + 0.4e-3 * 0.4e-3);
+  }
+  c.stated /= std::max(1, c.heard);
+  return c;
+}
+
+// A single pulse states its bound, hardly more.
+TEST(PulseFinder, StatesTheBoundWithoutEchoes) {
+  const Claims c = claims(0.0, 0.0, 400);
+  std::printf("no echo: stated variance %.3f of the bound, %d of %d beyond 3 sd\n", c.stated, c.beyond, c.heard);
+  EXPECT_GT(c.stated, 0.9);
+  EXPECT_LT(c.stated, 1.25);
+  EXPECT_LE(c.beyond, c.heard / 50);
+}
+
+// Echoes that overlap shift the envelope far beyond its bound; the stated variance follows most of them. Those that
+// leave nothing but a shift cannot be seen in one pulse.
+TEST(PulseFinder, StatesWhatEchoesMayDo) {
+  for (const double behind : {0.03, 0.05, 0.08}) {
+    const Claims c = claims(behind, 0.5, 300);
+    std::printf("echo %.0f mm behind: stated variance %.1f of the bound, beyond 3 sd %d, of the bound %d of %d\n",
+                1e3 * behind, c.stated, c.beyond, c.beyond_bound, c.heard);
+    EXPECT_GT(c.heard, 290);
+    EXPECT_GT(c.beyond_bound, c.heard / 10);
+    EXPECT_LT(c.beyond, c.beyond_bound * 3 / 5) << "most echoes are seen";
+  }
+}
+
 }  // namespace
 }  // namespace limbwave::decode

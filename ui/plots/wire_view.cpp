@@ -21,6 +21,7 @@ namespace {
 constexpr int kHeader = 24;
 constexpr double kLeastRow = 20.0, kMostRow = 34.0;
 constexpr double kUsualWords_hz = 140.0;
+constexpr double kNarrow = 520.0;
 
 Tone tone_of(const solve::BoxWire& wire) {
   if (!wire.plugged || wire.state != estimate::BoardState::kWell) {
@@ -32,11 +33,16 @@ Tone tone_of(const solve::BoxWire& wire) {
   return wire.clipped ? Tone::kWarning : Tone::kGood;
 }
 
-// Where columns begin, by the width there is.
+// Where columns begin, by the width there is. A narrow view has neither bars nor rates: tips have them.
 struct Columns {
+  bool narrow;
   double icon = kGrid, name = 32.0, level, words, ranges, state;
   explicit Columns(double width)
-      : level(std::max(130.0, 0.22 * width)), words(0.52 * width), ranges(0.65 * width), state(0.78 * width) {}
+      : narrow(width < kNarrow),
+        level(narrow ? 0.42 * width : std::max(130.0, 0.22 * width)),
+        words((narrow ? 0.6 : 0.52) * width),
+        ranges((narrow ? 0.6 : 0.65) * width),
+        state((narrow ? 0.6 : 0.78) * width) {}
 };
 
 }  // namespace
@@ -61,7 +67,7 @@ QSize WireView::sizeHint() const {
 }
 
 QSize WireView::minimumSizeHint() const {
-  return {420, kHeader + static_cast<int>(std::ceil(std::max(1, wires()) * kLeastRow))};
+  return {270, kHeader + static_cast<int>(std::ceil(std::max(1, wires()) * kLeastRow))};
 }
 
 void WireView::set_snapshot(std::shared_ptr<const solve::LiveBodySnapshot> snapshot) {
@@ -168,8 +174,10 @@ void WireView::paintEvent(QPaintEvent*) {
   };
   heading(at.name, at.level, tr("Board"));
   heading(at.level, at.words, tr("Level"));
-  heading(at.words, at.ranges, tr("Words/s"));
-  heading(at.ranges, at.state, tr("Ranges/s"));
+  if (!at.narrow) {
+    heading(at.words, at.ranges, tr("Words/s"));
+    heading(at.ranges, at.state, tr("Ranges/s"));
+  }
   heading(at.state, width(), tr("State"));
   painter.setPen(theme.line);
   painter.drawLine(QPointF(0, kHeader - 0.5), QPointF(width(), kHeader - 0.5));
@@ -199,17 +207,20 @@ void WireView::paintEvent(QPaintEvent*) {
       painter.drawLine(QPointF(0, area.bottom() + 0.5), QPointF(width(), area.bottom() + 0.5));
       continue;
     }
-    const QRectF bar(at.level, area.center().y() - 4, at.words - at.level - 9 * kGrid, 8);
-    painter.fillRect(bar, theme.panel);
-    if (wire.level > 0.0) {
-      painter.fillRect(QRectF(bar.left(), bar.top() + 1, level_position(wire.level) * bar.width(), bar.height() - 2),
-                       wire.clipped ? theme.warning : theme.good);
+    double figure_at = at.level;
+    if (!at.narrow) {
+      const QRectF bar(at.level, area.center().y() - 4, at.words - at.level - 9 * kGrid, 8);
+      figure_at = bar.right() + kGrid;
+      painter.fillRect(bar, theme.panel);
+      if (wire.level > 0.0) {
+        painter.fillRect(QRectF(bar.left(), bar.top() + 1, level_position(wire.level) * bar.width(), bar.height() - 2),
+                         wire.clipped ? theme.warning : theme.good);
+      }
+      const bool few = wire.locked && wire.words_hz < 0.9 * kUsualWords_hz;
+      text(at.words, at.ranges, QString::number(std::lround(wire.words_hz)), few ? theme.warning : theme.text, figures);
+      text(at.ranges, at.state, QString::number(std::lround(wire.ranges_hz)), theme.text, figures);
     }
-    text(bar.right() + kGrid, at.words, wire.level > 0.0 ? format_level(wire.level) : QStringLiteral("–"), theme.dim,
-         figures);
-    const bool few = wire.locked && wire.words_hz < 0.9 * kUsualWords_hz;
-    text(at.words, at.ranges, QString::number(std::lround(wire.words_hz)), few ? theme.warning : theme.text, figures);
-    text(at.ranges, at.state, QString::number(std::lround(wire.ranges_hz)), theme.text, figures);
+    text(figure_at, at.words, wire.level > 0.0 ? format_level(wire.level) : QStringLiteral("–"), theme.dim, figures);
     text(at.state, width(), state_words(wire), tone == Tone::kWarning ? theme.warning : theme.dim, font());
     painter.setPen(theme.grid);
     painter.drawLine(QPointF(0, area.bottom() + 0.5), QPointF(width(), area.bottom() + 0.5));

@@ -98,6 +98,21 @@ class WireViewTest : public QObject {
     QCOMPARE(count(view.grab().toImage().scaled(view.size()), rows, dark_theme().good), 0);
   }
 
+  void a_narrow_view_keeps_the_states() {
+    FakeBox box;
+    box.says.wires[2].plugged = false;
+    WireView view;
+    QVERIFY(view.minimumSizeHint().width() <= 280);
+    view.resize(290, 24 + 18 * 26);
+    view.set_snapshot(snapshot(box));
+    const QImage picture = view.grab().toImage().scaled(view.size());
+    // Letters are smoothed: anything that is no ground counts.
+    const QRect state(174, 24 + 26 * 2 + 2, 110, 20);
+    const int ground = count(picture, state, dark_theme().base);
+    QVERIFY2(ground < state.width() * state.height() - 60, "the word for it is in view");
+    QCOMPARE(count(picture, QRect(120, 24, 54, 26), dark_theme().good), 0);
+  }
+
   void a_bar_is_as_long_as_the_level_and_warns_at_full_scale() {
     FakeBox box;
     box.says.wires[0].level = 0.01;
