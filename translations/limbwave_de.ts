@@ -3681,39 +3681,39 @@
     </message>
     <message>
         <source>the root&apos;s place is told by its feet for %1 % of the time, and by its own acceleration for the rest</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ort der Wurzel kommt %1 % der Zeit von ihren Füßen, sonst von ihrer eigenen Beschleunigung</translation>
     </message>
     <message>
         <source>feet that glide or float tell little: give the root&apos;s path</source>
-        <translation type="unfinished"></translation>
+        <translation>gleitende oder schwebende Füße sagen wenig: den Weg der Wurzel angeben</translation>
     </message>
     <message>
         <source>the pose in which the take begins was found from its first seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>die Pose, mit der der Take beginnt, wurde aus seinen ersten Sekunden gefunden</translation>
     </message>
     <message>
         <source>root fixed: it stays at its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Wurzel fest: sie bleibt an ihrem Ort</translation>
     </message>
     <message>
         <source>root by the feet that stand (contacts)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wurzel nach den stehenden Füßen (contacts)</translation>
     </message>
     <message>
         <source>root free: by its own acceleration alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Wurzel frei: nur nach ihrer eigenen Beschleunigung</translation>
     </message>
     <message>
         <source>root given: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wurzel vorgegeben: %1</translation>
     </message>
     <message>
         <source>; its place is uncertain by %1 m along the ground and %2 m in height at the end (1 σ)</source>
-        <translation type="unfinished"></translation>
+        <translation>; ihr Ort ist am Ende um %1 m entlang des Bodens und %2 m in der Höhe unsicher (1 σ)</translation>
     </message>
     <message>
         <source>choose --root contacts for somebody who stands or walks, or give its path</source>
-        <translation type="unfinished"></translation>
+        <translation>für jemanden, der steht oder geht, --root contacts wählen, oder ihren Weg angeben</translation>
     </message>
 </context>
 <context>
@@ -5649,23 +5649,23 @@
     </message>
     <message>
         <source>Live figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Live-Figur</translation>
     </message>
     <message>
         <source>Smoothed, it moves as calmly as a solved take, and so much later. What is recorded is the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geglättet bewegt sie sich so ruhig wie ein berechneter Take, und um so viel später. Aufgenommen wird dasselbe.</translation>
     </message>
     <message>
         <source>Smoothed, %1 s later</source>
-        <translation type="unfinished"></translation>
+        <translation>Geglättet, %1 s später</translation>
     </message>
     <message>
         <source>Newest pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Neueste Pose</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Figur</translation>
     </message>
 </context>
 <context>
