@@ -38,8 +38,8 @@ void add_solve(CLI::App& app, Console& console) {
   command
       ->add_option(
           "--root", options->root,
-          "fixed: the root stays where it is; contacts: by feet that stand on the ground; free: by gravity and "
-          "the sensors alone; truth: as simulated; or a CSV file with its path")
+          "fixed: the root stays where it is; contacts: by feet that stand on the ground, the default for a body "
+          "with feet; free: by its acceleration alone; truth: as simulated; or a CSV file with its path")
       ->capture_default_str();
   command
       ->add_option(
@@ -120,7 +120,7 @@ void add_solve(CLI::App& app, Console& console) {
       body.optimise = batch;
       body.tune = options->tune;
       body.sensors = command->count("--sensors") > 0 ? options->sensors : "AGD";
-      body.root = command->count("--root") > 0 ? options->root : "free";
+      body.root = command->count("--root") > 0 ? options->root : solve::usual_root(take);
       body.start = options->start == "rest"     ? estimate::StartMode::kRest
                    : options->start == "moving" ? estimate::StartMode::kMoving
                                                 : estimate::StartMode::kAny;

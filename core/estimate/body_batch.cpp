@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kStretch = 1.0;  // s; of snapshots
+constexpr double kStretch = 1.0;      // s; of snapshots
+constexpr double kLeastLooks = 60.0;  // a second
 constexpr double kLeastFall = 1.0 / 2000.0;
 
 // What a stretch of the recording leaves for the way back.
@@ -43,6 +44,22 @@ void reverse(BodyTrack& track) {
   reverse(track.sigma);
   reverse(track.point_sigma);
   reverse(track.root_sigma);
+}
+
+// The root's way by looks at the feet, at the poses' own times.
+void place_root(const std::vector<FootLook>& looks, const std::vector<RootPlace>& places, BodyTrack& track) {
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < track.times.size() && !looks.empty(); ++i) {
+    while (k + 2 < looks.size() && looks[k + 1].time_s <= track.times[i]) {
+      ++k;
+    }
+    const std::size_t next = std::min(k + 1, looks.size() - 1);
+    const double between = looks[next].time_s - looks[k].time_s;
+    const double s = between > 0.0 ? std::clamp((track.times[i] - looks[k].time_s) / between, 0.0, 1.0) : 0.0;
+    place_root(
+        RootPlace{(1.0 - s) * places[k].p + s * places[next].p, (1.0 - s) * places[k].sigma + s * places[next].sigma},
+        track, i);
+  }
 }
 
 // The part of the cost that is not of readings.
@@ -90,15 +107,10 @@ Result<BodyRun> smooth_about(const BodyModel& model, const BodyFilterParameters&
                              BodyStepHook* hook, const BodyTrajectory* about, BodyTrajectory* found,
                              const std::function<bool(double)>& cost) {
   BodyRunner run(model, parameters, readings, rate_hz, hook);
-  if (Status status = run.check(); !status) {
+  BodyRun result;
+  if (Status status = run.begin(result); !status) {
     return status.error();
   }
-  BodyRun result;
-  Result<Diagnostics> started = run.start();
-  if (!started) {
-    return started.error();
-  }
-  result.diagnostics = *std::move(started);
   BodyState point;
   const auto step = [&](std::size_t i, StepRecord* record) {
     if (about != nullptr) {
@@ -138,6 +150,13 @@ Result<BodyRun> smooth_about(const BodyModel& model, const BodyFilterParameters&
     found->points.resize(count);
     found->constants.resize(checkpoints.size());
   }
+  // Feet are looked at as often as poses are wanted, but not seldom.
+  const FootContacts* feet = run.feet();
+  const std::vector<char> looked = feet == nullptr          ? std::vector<char>(count, 0)
+                                   : rate_hz >= kLeastLooks ? run.wanted
+                                                            : chosen(run.instants, kLeastLooks);
+  std::vector<FootLook> looks;
+  const auto posed = [&](std::size_t i) { return run.wanted[i] != 0 || looked[i] != 0 || found != nullptr; };
   std::size_t end = count;
   while (!checkpoints.empty()) {
     const Checkpoint& checkpoint = checkpoints.back();
@@ -148,7 +167,7 @@ Result<BodyRun> smooth_about(const BodyModel& model, const BodyFilterParameters&
     for (std::size_t i = checkpoint.first; i < end; ++i) {
       Kept& k = kept[i - checkpoint.first];
       step(i, &k.record);
-      if (run.wanted[i] != 0 || found != nullptr) {
+      if (posed(i)) {
         k.state = run.filter.state();
         const ErrorCovariance& P = run.filter.covariance();
         k.P.resize(found != nullptr ? moving : dofs, P.stride());
@@ -157,7 +176,7 @@ Result<BodyRun> smooth_about(const BodyModel& model, const BodyFilterParameters&
     }
     for (std::size_t i = end; i-- > checkpoint.first;) {
       Kept& k = kept[i - checkpoint.first];
-      if (run.wanted[i] != 0 || found != nullptr) {
+      if (posed(i)) {
         const SampledAdjoint::Rows changes = adjoint.changes(k.P);
         if (found != nullptr) {
           VectorXd x = VectorXd::Zero(size);
@@ -166,6 +185,9 @@ Result<BodyRun> smooth_about(const BodyModel& model, const BodyFilterParameters&
           found->points[i] = {k.state.joints, k.state.tissue_angle, k.state.tissue_gain, checkpoints.size() - 1};
         } else {
           run.filter.tree().add(k.state.joints, -changes.col(0));
+        }
+        if (looked[i] != 0) {
+          looks.push_back(feet->look_at(run.filter, k.state, k.P.row(0), k.P.columns()));
         }
         if (run.wanted[i] != 0) {
           append_pose(run.filter, k.state, reversed);
@@ -191,6 +213,10 @@ Result<BodyRun> smooth_about(const BodyModel& model, const BodyFilterParameters&
   }
   reverse(reversed);
   result.track = std::move(reversed);
+  if (feet != nullptr) {
+    reverse(looks);
+    place_root(looks, feet->smooth(looks), result.track);
+  }
   return result;
 }
 
@@ -199,6 +225,7 @@ Result<BodyOptimum> optimise_body(const BodyModel& model, const BodyFilterParame
                                   BodyStepHook* hook, int most) {
   BodyOptimum optimum;
   BodyRun before;  // the last round's, to be taken back to where the cost rises
+  BodyState first_before;
   BodyTrajectory trajectory;
   for (int round = 0; round <= most; ++round) {
     const auto share = [&](int r) { return static_cast<double>(r) / (most + 1); };
@@ -229,10 +256,12 @@ Result<BodyOptimum> optimise_body(const BodyModel& model, const BodyFilterParame
       return run.error();
     }
     before = std::exchange(optimum.run, *std::move(run));
+    first_before = std::exchange(optimum.first, next.state(0));
     trajectory = std::move(next);
   }
   if (optimum.best + 1 < optimum.costs.size()) {
     optimum.run = std::move(before);
+    optimum.first = std::move(first_before);
   }
   return optimum;
 }

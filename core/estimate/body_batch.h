@@ -39,6 +39,7 @@ struct BodyOptimum {
   /// noise, and of constants and the first pose against their priors.
   std::vector<double> costs;
   std::size_t best = 0;  ///< Which round's the run is.
+  BodyState first;       ///< Its state at the first instant.
 };
 
 /// Rounds of smoothing until the cost falls by less than one part in 2000, or `most` are done.

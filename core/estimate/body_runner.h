@@ -24,6 +24,12 @@ inline void append_pose(const BodyFilter& filter, const BodyState& state, BodyTr
   track.root_p_W.push_back(filter.tree().root_position(state.joints));
 }
 
+// The root by its feet.
+inline void place_root(const RootPlace& place, BodyTrack& track, std::size_t at) {
+  track.root_p_W[at] = place.p;
+  track.root_sigma[at] = place.sigma;
+}
+
 inline void append_sigma(PoseSigma sigma, BodyTrack& track) {
   track.sigma.push_back(std::move(sigma.joints));
   track.point_sigma.push_back(std::move(sigma.points));
@@ -89,6 +95,19 @@ class BodyRunner {
     }
   }
 
+  /// Checks and starts: what every run begins with. Findings of the start go to `run`.
+  Status begin(BodyRun& run) {
+    if (Status status = check(); !status) {
+      return status;
+    }
+    Result<Diagnostics> started = start();
+    if (!started) {
+      return started.error();
+    }
+    run.diagnostics = *std::move(started);
+    return {};
+  }
+
   Result<Diagnostics> start() {
     return hook_ != nullptr ? hook_->start(filter, readings_) : start_from_rest(filter, readings_);
   }
@@ -102,6 +121,8 @@ class BodyRunner {
     }
     return {};
   }
+
+  [[nodiscard]] const FootContacts* feet() const { return hook_ != nullptr ? hook_->feet() : nullptr; }
 
   void finish(BodyRun& run) const {
     if (hook_ != nullptr) {

@@ -13,15 +13,10 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
                             const BodyReadings& readings, double rate_hz, const Progress& progress,
                             BodyStepHook* hook) {
   BodyRunner run(model, parameters, readings, rate_hz, hook);
-  if (Status status = run.check(); !status) {
+  BodyRun result;
+  if (Status status = run.begin(result); !status) {
     return status.error();
   }
-  BodyRun result;
-  Result<Diagnostics> started = run.start();
-  if (!started) {
-    return started.error();
-  }
-  result.diagnostics = *std::move(started);
   reserve(result.track, run.instants.size());
   const int dofs = run.filter.layout().dofs;
   for (std::size_t i = 0; i < run.instants.size(); ++i) {
@@ -33,6 +28,9 @@ Result<BodyRun> filter_body(const BodyModel& model, const BodyFilterParameters& 
       append_sigma(pose_sigma(run.filter.tree(), model.skeleton, run.filter.state().joints,
                               joint_covariance(P.row(0), P.stride(), dofs), {}),
                    result.track);
+      if (const FootContacts* feet = run.feet()) {
+        place_root(feet->place(run.filter.state().time_s), result.track, result.track.times.size() - 1);
+      }
     }
     if (i % 64 == 0 && !progress.report(static_cast<double>(i) / static_cast<double>(run.instants.size()))) {
       return cancelled();

@@ -7,6 +7,7 @@
 #include "base/diagnostics.h"
 #include "base/result.h"
 #include "estimate/body_filter.h"
+#include "estimate/foot_contacts.h"
 
 namespace limbwave::estimate {
 
@@ -27,6 +28,8 @@ class BodyStepHook {
                              StepRecord* record) = 0;
   /// Behind the step: updates by measurements of its own, appended to the record.
   virtual void after(BodyFilter& filter, const BodyInstant& instant, std::size_t number, StepRecord* record) = 0;
+  /// Who holds the root by its feet, where somebody does; null: it is where the filter has it.
+  [[nodiscard]] virtual const FootContacts* feet() const { return nullptr; }
   /// Behind the last step of the forward run.
   virtual void finished(const BodyFilter& /*filter*/) {}
 };

@@ -126,7 +126,9 @@ void BodyTracker::step(const BodyInstant& instant) {
 TrackedPose BodyTracker::pose(const BodyState& state) const {
   const double delay = filter_.parameters().reading_delay_s;
   if (delay <= 0.0) {
-    return {state.time_s, filter_.tree().segment_rotations(state.joints), filter_.tree().root_position(state.joints)};
+    const FootContacts* feet = watch_.feet();
+    return {state.time_s, filter_.tree().segment_rotations(state.joints),
+            feet != nullptr ? feet->place(state.time_s).p : filter_.tree().root_position(state.joints)};
   }
   body::TreeState now = state.joints;
   filter_.tree().add(now, delay * now.qd + 0.5 * delay * delay * now.qdd);

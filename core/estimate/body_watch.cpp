@@ -89,7 +89,34 @@ Result<Diagnostics> BodyWatch::start(BodyFilter& filter, const BodyReadings& rea
   }
   usable_ = {{0, usable_boards()}};
   idles_ = any_idle(usable_.back().boards);
+  if (near_) {
+    begin_near(filter, given);
+  }
   return std::move(started->diagnostics);
+}
+
+// The pose and motion that were found, with what is left of their doubt; constants are not learnt twice from the same
+// readings. Where the root is stays the start's to say.
+void BodyWatch::begin_near(BodyFilter& filter, bool root_given) const {
+  BodyState state = filter.state();
+  state.joints = near_->joints;
+  const bool free = filter.tree().root_motion() == body::RootMotion::kFree;
+  if (free && !root_given) {
+    state.joints.q.head<3>() = filter.state().joints.q.head<3>();
+  }
+  filter.set_state(state);
+  const int n = filter.layout().dofs;
+  const RestParameters& rest = parameters_.rest;
+  for (int i = 0; i < n; ++i) {
+    const bool of_root = free && i < 6;
+    if (!of_root) {
+      filter.mutable_covariance().set_variance(i, square(rest.found_pose));
+    }
+    if (!of_root || !root_given) {
+      filter.mutable_covariance().set_variance(n + i, square(rest.found_rate));
+      filter.mutable_covariance().set_variance(2 * n + i, square(rest.found_acceleration));
+    }
+  }
 }
 
 std::vector<char> BodyWatch::usable_boards() const {

@@ -39,6 +39,9 @@ class BodyWatch : public BodyStepHook {
   Result<Diagnostics> start(BodyFilter& filter, const BodyReadings& readings) override;
   BodyInstant before(BodyFilter& filter, const BodyInstant& instant, std::size_t number, StepRecord* record) override;
   void after(BodyFilter& filter, const BodyInstant& instant, std::size_t number, StepRecord* record) override;
+  [[nodiscard]] const FootContacts* feet() const override {
+    return looks_at_feet_ && contacts_.hold_root() ? &contacts_ : nullptr;
+  }
   void finished(const BodyFilter& filter) override;
 
   [[nodiscard]] const SensorWatch& sensors() const { return sensors_; }
@@ -51,6 +54,8 @@ class BodyWatch : public BodyStepHook {
   /// The next `start` resumes from this mind instead. Fails when it is of another rig, skeleton or settings.
   Status resume_from(const BodyMind& mind, const BodyFilter& filter);
   void resume_from(BodyMind mind) { mind_ = std::move(mind); }
+  /// The next starts are near this state, which was found from what follows (moving_start.h).
+  void start_near(BodyState state) { near_ = std::move(state); }
   /// The mind behind the last step; `finished` keeps it.
   [[nodiscard]] BodyMind mind(const BodyFilter& filter) const;
   [[nodiscard]] const std::optional<BodyMind>& last_mind() const { return last_mind_; }
@@ -64,6 +69,7 @@ class BodyWatch : public BodyStepHook {
     std::size_t from;  // number of the first instant
     std::vector<char> boards;
   };
+  void begin_near(BodyFilter& filter, bool root_given) const;
   [[nodiscard]] std::vector<char> usable_boards() const;
   [[nodiscard]] bool any_idle(const std::vector<char>& usable) const;
   [[nodiscard]] std::vector<char> idle_segments(const std::vector<char>& usable) const;
@@ -88,6 +94,7 @@ class BodyWatch : public BodyStepHook {
   std::vector<InertialReading> kept_;
   std::vector<RangeReading> kept_ranges_;
   std::optional<BodyMind> mind_, last_mind_;
+  std::optional<BodyState> near_;
 };
 
 /// A mind as text (JSON) and back. Fails for what is none, naming the key.

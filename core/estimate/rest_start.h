@@ -30,6 +30,7 @@ struct RestParameters {
   double gravity_noise = 0.1;             ///< Of a mean specific force, m/s²: scale and cross-axis errors of 1 %.
   double rate = 0.1, acceleration = 1.0;  ///< Left when still, rad/s, rad/s².
   double moving_pose = 0.35, moving_rate = 2.0, moving_acceleration = 15.0;  ///< The same in mid-motion.
+  double found_pose = 0.2, found_rate = 1.0, found_acceleration = 10.0;  ///< And about a start found from what follows.
 };
 
 /// One board's first second.

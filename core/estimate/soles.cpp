@@ -42,14 +42,23 @@ std::vector<Sole> find_soles(const BodyModel& model) {
     Sole sole;
     sole.segment = static_cast<int>(s);
     sole.name = segment.name;
-    int count = 0;
+    std::vector<Vector3d> lows;
     for (const Vector3d& p : points) {
       if (height(p) < low + 0.01) {
         sole.p_L += p;
-        ++count;
+        lows.push_back(p);
       }
     }
-    sole.p_L /= count;
+    sole.p_L /= static_cast<double>(lows.size());
+    sole.heel_L = sole.toe_L = lows.front();
+    for (const Vector3d& a : lows) {
+      for (const Vector3d& b : lows) {
+        if ((b - a).norm() > (sole.toe_L - sole.heel_L).norm()) {
+          sole.heel_L = a;
+          sole.toe_L = b;
+        }
+      }
+    }
     for (std::size_t b = 0; b < model.boards.size(); ++b) {
       if (model.boards[b].segment == sole.segment && (model.boards[b].gyroscope || model.boards[b].accelerometer)) {
         sole.board = static_cast<int>(b);

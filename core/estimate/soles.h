@@ -11,8 +11,9 @@ namespace limbwave::estimate {
 /// A part of the sole that may stand.
 struct Sole {
   int segment = 0;
-  Vector3d p_L = Vector3d::Zero();  ///< Lowest point at rest.
-  int board = -1;                   ///< On the foot; -1: none.
+  Vector3d p_L = Vector3d::Zero();  ///< Lowest point at rest: the middle of what is about as low.
+  Vector3d heel_L = Vector3d::Zero(), toe_L = Vector3d::Zero();  ///< The two ends of that, in either order.
+  int board = -1;                                                ///< On the foot; -1: none.
   std::string name;
 };
 

@@ -13,6 +13,7 @@
 #include "estimate/body_batch.h"
 #include "estimate/body_tuning.h"
 #include "estimate/exact_rig.h"
+#include "estimate/moving_start.h"
 #include "estimate/sensor_mixup.h"
 #include "solve/driver_box.h"
 #include "solve/word_alignment.h"
@@ -109,6 +110,10 @@ estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model,
   return p;
 }
 
+std::string usual_root(const take::Take& take) {
+  return estimate::find_soles(estimate::body_model(take.info.rig, take.info.skeleton)).empty() ? "free" : "contacts";
+}
+
 estimate::BodyWatchParameters watch_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings) {
   estimate::BodyWatchParameters watch;
   watch.rest.mode = settings.start;
@@ -128,8 +133,11 @@ struct Ran {
 // Once through the readings.
 Result<Ran> run_once(const estimate::BodyModel& model, const estimate::BodyFilterParameters& parameters,
                      const estimate::BodyReadings& readings, const BodySolveSettings& settings,
-                     const Progress& progress) {
+                     const std::optional<estimate::BodyState>& near, const Progress& progress) {
   estimate::BodyWatch watch(model, watch_parameters(model, settings));
+  if (near) {
+    watch.start_near(*near);
+  }
   if (!settings.resume.empty()) {
     const Result<std::string> text = read_file(settings.resume, std::size_t{1} << 28);
     if (!text) {
@@ -177,7 +185,16 @@ Result<Ran> run_once(const estimate::BodyModel& model, const estimate::BodyFilte
 Result<Ran> run_and_put_right(const estimate::BodyModel& model, const estimate::BodyFilterParameters& parameters,
                               estimate::BodyReadings& readings, const BodySolveSettings& settings,
                               const Progress& progress) {
-  Result<Ran> ran = run_once(model, parameters, readings, settings, progress.part(0.0, 0.6));
+  std::optional<estimate::BodyState> near;
+  if (settings.smooth && settings.resume.empty()) {
+    Result<std::optional<estimate::BodyState>> found = estimate::find_moving_start(
+        model, parameters, watch_parameters(model, settings), readings, progress.part(0.0, 0.2));
+    if (!found) {
+      return found.error();
+    }
+    near = *std::move(found);
+  }
+  Result<Ran> ran = run_once(model, parameters, readings, settings, near, progress.part(0.2, 0.6));
   constexpr int kMost = 2;
   Diagnostics told;
   for (int i = 0; ran && i < kMost && !ran->suspects.empty() && settings.resume.empty() && model.boards.size() > 1;
@@ -192,9 +209,13 @@ Result<Ran> run_and_put_right(const estimate::BodyModel& model, const estimate::
     }
     told.push_back(estimate::tell(**mixup, model));
     estimate::undo_mixup(**mixup, readings);
-    ran = run_once(model, parameters, readings, settings, progress.part(0.8, 1.0));
+    ran = run_once(model, parameters, readings, settings, {}, progress.part(0.8, 1.0));
   }
   if (ran) {
+    if (near) {
+      told.push_back({Severity::kInfo, "body.start-found",
+                      "the pose in which the take begins was found from its first seconds", "", ""});
+    }
     ran->found.insert(ran->found.begin(), told.begin(), told.end());
   }
   return ran;
@@ -215,18 +236,21 @@ Diagnostic tell(const estimate::BodyTuning& tuning) {
       ""};
 }
 
-// How far the root may be off in the end: said, not hidden.
-void report_drift(const estimate::BodyTrack& track, const std::string& root, Diagnostics& diagnostics) {
-  if (track.root_sigma.empty() || (root != "free" && root != "contacts")) {
-    return;
+// What the root's place rests on, and how far it may be off in the end: said, not hidden.
+void report_root(const estimate::BodyTrack& track, const std::string& root, Diagnostics& diagnostics) {
+  const bool drifts = root == "free" || root == "contacts";
+  std::string text = root == "fixed"      ? "root fixed: it stays at its place"
+                     : root == "contacts" ? "root by the feet that stand (contacts)"
+                     : root == "free"     ? "root free: by its own acceleration alone"
+                                          : "root given: " + root;
+  if (drifts && !track.root_sigma.empty()) {
+    const Eigen::Vector3d& sigma = track.root_sigma.back();
+    text += fmt::format("; its place is uncertain by {:.2f} m along the ground and {:.2f} m in height at the end (1 σ)",
+                        std::hypot(sigma.x(), sigma.y()), sigma.z());
   }
-  const Eigen::Vector3d& sigma = track.root_sigma.back();
   diagnostics.push_back(
-      {Severity::kInfo, "body.root-drift",
-       fmt::format("the root's place is uncertain by {:.2f} m along the ground and {:.2f} m in height "
-                   "at the end (1 σ)",
-                   std::hypot(sigma.x(), sigma.y()), sigma.z()),
-       root == "free" ? "choose --root contacts for somebody who walks, or give the root's path" : "", ""});
+      {Severity::kInfo, drifts ? "body.root-drift" : "body.root", text,
+       root == "free" ? "choose --root contacts for somebody who stands or walks, or give its path" : "", ""});
 }
 
 }  // namespace
@@ -299,7 +323,7 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
   solve.report.diagnostics = run->diagnostics;
   solve.report.diagnostics.insert(solve.report.diagnostics.end(), tuned.begin(), tuned.end());
   solve.report.diagnostics.insert(solve.report.diagnostics.end(), ran->found.begin(), ran->found.end());
-  report_drift(track, settings.root, solve.report.diagnostics);
+  report_root(track, settings.root, solve.report.diagnostics);
   for (std::size_t b = 0; b < model.boards.size(); ++b) {
     report_counts("gyroscope", model.boards[b].name, run->gyroscopes[b], solve.report.diagnostics);
     report_counts("accelerometer", model.boards[b].name, run->accelerometers[b], solve.report.diagnostics);

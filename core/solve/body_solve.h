@@ -31,6 +31,9 @@ struct BodySolveSettings {
 /// The parameters that suit a model: what a rig of one free sensor needs is not what a body needs.
 estimate::BodyFilterParameters body_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings);
 
+/// The root that suits a take where nobody chose one: by contacts where the skeleton has feet, else free.
+std::string usual_root(const take::Take& take);
+
 /// What is done around the filter's steps (estimate/body_watch.h) for these settings, live and offline.
 estimate::BodyWatchParameters watch_parameters(const estimate::BodyModel& model, const BodySolveSettings& settings);
 

@@ -281,8 +281,10 @@ void LiveBodyWorker::publish() {
   if (state_.started) {
     state_.joint_sigma_deg = joint_sigma_deg();
     if (tracker_->filter().tree().root_motion() == body::RootMotion::kFree) {
+      const estimate::FootContacts* feet = tracker_->watch().feet();
       for (int i = 0; i < 3; ++i) {
-        state_.root_sigma[i] = std::sqrt(tracker_->filter().covariance()(i, i));
+        state_.root_sigma[i] = feet != nullptr ? feet->place(tracker_->filter().state().time_s).sigma[i]
+                                               : std::sqrt(tracker_->filter().covariance()(i, i));
       }
     }
   }

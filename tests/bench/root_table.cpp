@@ -81,12 +81,6 @@ int main(int argc, char** argv) {
       const char* value = std::getenv(name);
       return value != nullptr ? std::atof(value) : otherwise;
     };
-    watch_parameters.contacts.velocity_noise = tuned("VELOCITY", watch_parameters.contacts.velocity_noise);
-    watch_parameters.contacts.height_noise = tuned("HEIGHT", watch_parameters.contacts.height_noise);
-    watch_parameters.contacts.leave = tuned("LEAVE", watch_parameters.contacts.leave);
-    watch_parameters.contacts.rate = tuned("RATE", watch_parameters.contacts.rate);
-    watch_parameters.contacts.force = tuned("FORCE", watch_parameters.contacts.force);
-    watch_parameters.contacts.period_s = tuned("PERIOD", watch_parameters.contacts.period_s);
     p.root_speed = tuned("SPEED", p.root_speed);
     p.acceleration_walk = tuned("WALK", p.acceleration_walk);
     p.gyroscope_relative = tuned("GRELATIVE", p.gyroscope_relative);

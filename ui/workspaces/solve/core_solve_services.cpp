@@ -15,9 +15,7 @@ SolveServices core_solve_services() {
     solve::BodySolveSettings body;
     body.name = settings.name;
     body.smooth = true;
-    if (take.info.kind == "driver-box") {
-      body.root = "contacts";  // somebody who stands and walks, as the live figure has it
-    }
+    body.root = solve::usual_root(take);
     Result<solve::Solve> solved = solve::solve_sensors(take, body, progress);
     if (solved) {
       solve::apply_headings(*solved, solve::sensor_segments(take.info.rig, solved->clip.skeleton), settings.headings);
