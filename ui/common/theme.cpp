@@ -37,7 +37,8 @@ QPalette make_palette(const ThemeColors& c) {
 }
 
 QString make_stylesheet(const ThemeColors& c) {
-  // Names in %1..%9 order: window, panel, base, raised, line, text, dim, accent, accent_text; then danger, hover, accent at hover, theme, warning.
+  // Names in %1..%9 order: window, panel, base, raised, line, text, dim, accent, accent_text; then danger, hover,
+  // accent at hover, theme, warning.
   const QString hover = (c.dark ? c.raised.lighter(118) : c.raised.darker(106)).name();
   return QStringLiteral(R"(
 * { outline: none; }
