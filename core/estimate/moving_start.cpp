@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "estimate/body_batch.h"
-#include "estimate/body_runner.h"
 
 namespace limbwave::estimate {
 namespace {
@@ -35,23 +34,6 @@ BodyState inclined(const BodyFilter& filter, std::vector<BoardAtRest> boards) {
   BodyState state = filter.state();
   refine_at_rest(filter, boards, prior, kMovingForce, state);
   return state;
-}
-
-// What a filter's own way through the readings costs, from the start that it has or one that was found.
-double cost_of_filter(const BodyModel& model, const BodyFilterParameters& parameters, const BodyWatchParameters& watch,
-                      const BodyReadings& readings, const std::optional<BodyState>& near) {
-  BodyWatch hook(model, watch);
-  if (near) {
-    hook.start_near(*near);
-  }
-  BodyRunner runner(model, parameters, readings, 1.0, &hook);
-  if (!runner.start()) {
-    return INFINITY;
-  }
-  for (std::size_t i = 0; i < runner.instants.size(); ++i) {
-    runner.step(i);
-  }
-  return runner.filter.cost();
 }
 
 }  // namespace
@@ -106,17 +88,9 @@ Result<std::optional<BodyState>> find_moving_start(const BodyModel& model, const
       found = std::move(optimum->first);
     }
   }
-  // Σ ν²/σ² of what fits is about the number of readings; more says that nothing was found. And a filter that starts
-  // there has to do better, too.
+  // Σ ν²/σ² of what fits is about the number of readings; more says that nothing was found.
   const double count = 6.0 * static_cast<double>(first.inertial.size()) + static_cast<double>(first.ranges.size());
-  if (least >= start.worthwhile * plain || least >= count) {
-    return none;
-  }
-  const double near = cost_of_filter(model, parameters, watch, first, found);
-  if (near >= start.worthwhile * cost_of_filter(model, parameters, watch, first, none) || near >= count) {
-    return none;
-  }
-  return found;
+  return least < start.worthwhile * plain && least < count ? found : none;
 }
 
 }  // namespace limbwave::estimate
