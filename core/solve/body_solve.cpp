@@ -404,7 +404,7 @@ Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& set
   return solve_body(take, *std::move(readings), settings, progress.part(0.5, 1.0));
 }
 
-Result<Solve> solve_sensors(const take::Take& take, const SolveSettings& settings, const Progress& progress) {
+Result<Solve> solve_as_chosen(const take::Take& take, const SolveSettings& settings, const Progress& progress) {
   const BodyChoice choice = settings.body.value_or(BodyChoice());
   BodySolveSettings body;
   body.name = settings.name;

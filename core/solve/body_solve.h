@@ -44,7 +44,7 @@ Result<Solve> solve_body(const take::Take& take, estimate::BodyReadings readings
 /// The same for a take of kind "log", or of kind "driver-box", which is decoded first.
 Result<Solve> solve_sensors(const take::Take& take, const BodySolveSettings& settings, const Progress& progress);
 /// As `settings.body` chooses, or as usual; with `settings.headings` in it.
-Result<Solve> solve_sensors(const take::Take& take, const SolveSettings& settings, const Progress& progress);
+Result<Solve> solve_as_chosen(const take::Take& take, const SolveSettings& settings, const Progress& progress);
 
 /// What a driver box heard, for the filter: words whose values are known, and ranges that were accepted. Memory grows
 /// with the take: about 0.2 kB a word. `align`: at common instants. `progress` is asked to 1.

@@ -11,7 +11,7 @@ SolveServices core_solve_services() {
     if (take.info.kind == "line-in") {
       return solve::solve_take(take, settings, progress);
     }
-    return solve::solve_sensors(take, settings, progress);
+    return solve::solve_as_chosen(take, settings, progress);
   };
   services.save = solve::save_solve;
   services.load = solve::load_solve;
