@@ -336,7 +336,7 @@ class SolveWorkspaceTest : public SolveWindowTest {
     studio_->context->document().set(take::open_take(folder.toStdString()).value());
     QTRY_COMPARE_WITH_TIMEOUT(model().state(), SolveState::kSolved, 120000);
     QVERIFY(!model().by_inclination());
-    QVERIFY(says(QStringLiteral("By the body filter")));
+    QVERIFY(says(QStringLiteral("All sensors together")));
     QCOMPARE(find<QComboBox>(QStringLiteral("Smoothing"))->isVisible(), false);
     QVERIFY(model().evaluation().has_value());
     QVERIFY2(model().evaluation()->all.inclination_mean_deg < 3.0, "the figure follows the body");
