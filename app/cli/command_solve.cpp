@@ -36,10 +36,10 @@ void add_solve(CLI::App& app, Console& console) {
           "before, until that changes nothing")
       ->check(CLI::IsMember({"auto", "inclination", "filter", "smoother", "batch"}))
       ->capture_default_str();
-  command->add_option(
-      "--root", options->root,
-      "fixed: the root stays where it is; contacts: by feet that stand on the ground, the default for a body with feet; "
-      "free: by its acceleration alone; truth: as simulated; or a CSV file with its path");
+  command->add_option("--root", options->root,
+                      "fixed: the root stays where it is; contacts: by feet that stand on the ground, the default for "
+                      "a body with feet; "
+                      "free: by its acceleration alone; truth: as simulated; or a CSV file with its path");
   command
       ->add_option(
           "--smoothing", options->smoothing,

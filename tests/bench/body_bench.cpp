@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "estimate/body_tracker.h"
 #include "support/body_runs.h"
 #include "support/dense_ekf.h"
 
@@ -201,14 +202,58 @@ double peak_megabytes() {
   return 0.0;
 }
 
-// Filter or smoother over so many minutes; what the readings take is included.
-void print_memory(const std::string& method, double minutes) {
+// The filter over so many minutes of readings that come a second at a time, as they do live, and are gone behind it.
+void print_memory_of_filter(double minutes) {
+  const auto wearer = boxer(20.0);
+  const auto model = estimate::body_model(wearer.rig, wearer.skeleton);
+  // What he does in twenty seconds again and again: only the times move on. It jumps where it begins anew, which costs
+  // no memory.
+  const double lap = wearer.readings.inertial.back().time_s + 1.0 / 140.0;
+  estimate::BodyTracker tracker(model, given_root(), {}, {});
+  std::size_t poses = 0;
+  fmt::print("{:.0f} MB at the peak before it starts\n", peak_megabytes());
+  for (double begin = 0.0; begin < 60.0 * minutes; begin += lap) {
+    estimate::BodyReadings part = wearer.readings;
+    for (auto& r : part.inertial) {
+      r.time_s += begin;
+    }
+    for (auto& r : part.ranges) {
+      r.time_s += begin;
+    }
+    for (auto& r : part.root) {
+      r.time_s += begin;
+    }
+    tracker.set_root(part.root);
+    std::size_t i = 0;
+    std::size_t k = 0;
+    for (double second = 1.0; second < lap + 1.0; second += 1.0) {
+      const std::size_t from_i = i;
+      const std::size_t from_k = k;
+      while (i < part.inertial.size() && part.inertial[i].time_s < begin + second) {
+        ++i;
+      }
+      while (k < part.ranges.size() && part.ranges[k].time_s < begin + second) {
+        ++k;
+      }
+      const Status status = tracker.push({part.inertial.data() + from_i, i - from_i},
+                                         {part.ranges.data() + from_k, k - from_k}, begin + std::min(second, lap));
+      if (!status) {
+        fmt::print(stderr, "{}\n", status.error().text());
+        return;
+      }
+      poses += tracker.take_poses().size();
+    }
+  }
+  fmt::print("filter, {} minutes that stream: {:.0f} MB at the peak; {} poses\n", minutes, peak_megabytes(), poses);
+}
+
+// The smoother over so many minutes; what the readings take is included.
+void print_memory_of_smoother(double minutes) {
   const auto wearer = boxer(60.0 * minutes);
   const auto model = estimate::body_model(wearer.rig, wearer.skeleton);
   fmt::print("{} minutes of readings: {:.0f} MB at the peak\n", minutes, peak_megabytes());
-  const auto run = method == "smoother" ? estimate::smooth_body(model, given_root(), wearer.readings, 60.0, {})
-                                        : estimate::filter_body(model, given_root(), wearer.readings, 60.0, {});
-  fmt::print("{}: {:.0f} MB at the peak, readings included; {} poses\n", method, peak_megabytes(),
+  const auto run = estimate::smooth_body(model, given_root(), wearer.readings, 60.0, {});
+  fmt::print("smoother: {:.0f} MB at the peak, readings included; {} poses\n", peak_megabytes(),
              run->track.times.size());
 }
 
@@ -221,7 +266,8 @@ BENCHMARK(eigen_updates_alone)->Unit(benchmark::kMillisecond);
 
 int main(int argc, char** argv) {
   if (argc == 4 && std::strcmp(argv[1], "--memory") == 0) {
-    print_memory(argv[2], std::atof(argv[3]));
+    const double minutes = std::atof(argv[3]);
+    std::strcmp(argv[2], "smoother") == 0 ? print_memory_of_smoother(minutes) : print_memory_of_filter(minutes);
     return 0;
   }
   if (argc == 2 && std::strcmp(argv[1], "--growth") == 0) {

@@ -257,8 +257,10 @@ void run(const Settings& settings, const testing_support::Wearer& wearer, const 
       if (settings.drift) {
         const JointErrors first = errors_of(wearer, solved.track, settings.rest + 2.0, settings.rest + 32.0);
         const JointErrors last = errors_of(wearer, solved.track, seconds - 30.0, seconds);
-        fmt::print("   mean of all joints in the first 30 s {:.2f}, in the last 30 s {:.2f} degrees\n",
-                   first.all.mean(), last.all.mean());
+        fmt::print(
+            "   first 30 s: mean {:.2f} rms {:.2f} stated {:.2f}; last 30 s: mean {:.2f} rms {:.2f} stated {:.2f} "
+            "degrees, all joints\n",
+            first.all.mean(), first.all.rms(), first.all.sigma(), last.all.mean(), last.all.rms(), last.all.sigma());
       }
       if (settings.times > 0.0) {
         print_times(wearer, solved.track, settings.times);

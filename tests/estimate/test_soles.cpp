@@ -1,6 +1,5 @@
 // Which parts of a skeleton may stand on the ground.
 #include "estimate/soles.h"
-
 #include "support/worn_boards.h"
 
 namespace limbwave::estimate {

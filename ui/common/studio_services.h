@@ -49,7 +49,7 @@ struct DeviceSetup {
   // Of a driver box.
   double temperature_c = 22.0, humidity = 50.0;  ///< Of the air, per cent: they make the speed of sound.
   double height_m = 0.0;                         ///< Of the wearer; 0: as the skeleton's file says.
-  std::string ranging_take;  ///< Folder of a take with measured delays of the sources; empty: nominal.
+  std::string ranging_take;   ///< Folder of a take with measured delays of the sources; empty: nominal.
   double figure_lag_s = 0.0;  ///< The live figure is smoothed by what comes so much later; 0: the newest pose.
   bool operator==(const DeviceSetup&) const = default;
 };
