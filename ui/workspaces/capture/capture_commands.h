@@ -37,7 +37,11 @@ class FormatCommand : public QUndoCommand {
  public:
   FormatCommand(CaptureModel& model, acquire::DeviceInfo device, DeviceSetup before, DeviceSetup after,
                 const QString& text)
-      : QUndoCommand(text), model_(model), device_(std::move(device)), before_(before), after_(after) {}
+      : QUndoCommand(text),
+        model_(model),
+        device_(std::move(device)),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
   void redo() override { model_.put_format(device_, after_); }
   void undo() override { model_.put_format(device_, before_); }
 
