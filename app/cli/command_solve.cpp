@@ -131,14 +131,11 @@ void add_solve(CLI::App& app, Console& console) {
       Result<solve::Solve> by_filter = solve::solve_sensors(take, body, console.progress());
       if (by_filter) {
         solve::apply_headings(*by_filter, solve::sensor_segments(take.info.rig, by_filter->clip.skeleton),
-                              solve::known_headings(take, settings.name));
+                              settings.headings);
       }
       return by_filter;
     };
-    solve::Solve solve = console.check(solved());
-    if (options->method != "inclination" && !settings.headings.empty()) {
-      solve::apply_headings(solve, solve::sensor_segments(take.info.rig, solve.clip.skeleton), settings.headings);
-    }
+    const solve::Solve solve = console.check(solved());
     console.check(solve::save_solve(take, solve));
     if (command->count("--json") > 0) {
       console.print_json(solve::report_to_json(solve), options->json);

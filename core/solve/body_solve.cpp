@@ -210,7 +210,8 @@ Result<Ran> run_and_put_right(const estimate::BodyModel& model, const estimate::
     }
     told.push_back(estimate::tell(**mixup, model));
     estimate::undo_mixup(**mixup, readings);
-    ran = run_once(model, parameters, readings, settings, {}, progress.part(0.8, 1.0));
+    near.reset();  // It was found with boards mixed up.
+    ran = run_once(model, parameters, readings, settings, near, progress.part(0.8, 1.0));
   }
   if (ran) {
     if (near) {
